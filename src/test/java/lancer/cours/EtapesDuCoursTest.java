@@ -5,15 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Objet3D;
-import lancer.PointContact;
-import lancer.Rayon;
 import lancer.Scene;
-import lancer.Vecteur;
+import lancer.Sphere;
 import lancer.essai.Essai;
+import lancer.essai.TraceurPlat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,11 +26,21 @@ class EtapesDuCoursTest {
     @Test
     void lambertEtPhongSontLesSommesDuCoursSansOmbre() throws Exception {
         Scene scene = new Scene(SCENE.toString());
-        Camera camera = new Camera(80, 60);
         for (String etape : new String[] {"lambert", "phong"}) {
             float[] image = Essai.dessiner(dossier, SCENE, TAILLE, "--etape=" + etape);
+            TraceurPlat plat = new TraceurPlat(scene.getObjets(), scene.getLampes(), 80, 60, 0) {
+                @Override
+                protected Sphere cache(Lampe lampe, double[] X, Sphere boule) {
+                    return null;
+                }
+
+                @Override
+                protected double eclat(double[] V, double[] N, double[] L, double[] R, double ns) {
+                    return etape.equals("phong") ? super.eclat(V, N, L, R, ns) : 0;
+                }
+            };
             for (int k = 0; k < 80 * 60; k++) {
-                Couleur attendue = couleur(scene, camera.getRayon(k % 80 + 0.5, k / 80 + 0.5), etape.equals("phong"));
+                Couleur attendue = plat.couleur(k % 80 + 0.5, k / 80 + 0.5);
                 // un PFM commence par la ligne du bas
                 int p = 3 * ((59 - k / 80) * 80 + k % 80);
                 assertEquals(attendue.r, image[p], 1e-6, etape + ", pixel " + k % 80 + ", " + k / 80);
@@ -41,29 +48,6 @@ class EtapesDuCoursTest {
                 assertEquals(attendue.b, image[p + 2], 1e-6);
             }
         }
-    }
-
-    /** Le cours, récrit : Kd ⊗ KL max(0, N·L), plus Ks ⊗ KL max(0, R·L)^ns. */
-    private static Couleur couleur(Scene scene, Rayon rayon, boolean phong) {
-        PointContact contact = scene.getClosestIntersection(rayon);
-        if (contact == null) {
-            return rayon.getSkyColor();
-        }
-        Objet3D objet = contact.objet;
-        Vecteur N = objet.getNormale(contact);
-        Vecteur V = rayon.getV();
-        Vecteur R = V.sub(N.mul(2 * V.dot(N)));
-        Couleur somme = new Couleur();
-        for (Lampe lampe : scene.getLampes()) {
-            Vecteur L = new Vecteur(contact, lampe.getPosition()).normalized();
-            if (N.dot(L) > 0) {
-                somme = somme.add(objet.getKd().mul(lampe.getCouleur()).mul(N.dot(L)));
-                if (phong) {
-                    somme = somme.add(objet.getKs().mul(lampe.getCouleur()).mul(Math.pow(Math.max(0, R.dot(L)), objet.getNs())));
-                }
-            }
-        }
-        return somme;
     }
 
     @Test

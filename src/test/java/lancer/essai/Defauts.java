@@ -1,13 +1,19 @@
 package lancer.essai;
 
-import java.nio.file.Paths;
+import static lancer.essai.Triplets.dot;
+import static lancer.essai.Triplets.fois;
+import static lancer.essai.Triplets.gris;
+import static lancer.essai.Triplets.moins;
+import static lancer.essai.Triplets.plus;
+import static lancer.essai.Triplets.t;
+import static lancer.essai.Triplets.unite;
+
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Couleur;
@@ -16,7 +22,6 @@ import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Releve;
 import lancer.contrat.Vue;
@@ -26,24 +31,31 @@ import lancer.image.ImageMemoire;
 import lancer.systeme.Ecriture;
 
 /**
- * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser.
+ * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Ni l'image juste ni la fausse ne prennent une
+ * ligne du programme : il peut changer d'arrondis.
  */
 public final class Defauts {
 
     /** Un demi-pas de l'écran : ce qui s'en écarte davantage se voit, ou peut se voir. */
     private static final double VISIBLE = 0.5 / 255;
 
-    /** Au milieu d'une scène d'un côté pair, aucun pixel ne regarde exactement l'horizon. */
-    private static final int COTE = 100;
-    private static final int COTE_IMPAIR = 101;
+    /** Côté d'un pixel agrandi, et blanc entre les deux images. */
+    private static final int LOUPE = 2;
+    private static final int MARGE = 4;
+
+    private static final Lampe A_L_OEIL = new Lampe(Camera.OEIL, new Couleur(1));
+
+    /** Les défauts que la page montre, par le nom de leur image. */
+    private static final Map<String, String> IMAGES = Map.of("defaut-surface.png", "une surface s'ombre elle-même",
+            "defaut-lampe.png", "b² − 4ac, lampe à 10⁹", "defaut-jumelle.png", "sphère jumelle gardée");
 
     /** Une scène, ce que sa géométrie en donne, ce qu'en fait un défaut, et ce qu'en fait le programme. */
     public static final class Defaut {
 
         public final String nom;
-        public final int cote;
         public final Couleur[] naive;
         public final Couleur[] programme;
+        private final int cote;
 
         /** {@code null} là où la géométrie ne décide pas. */
         private final Couleur[] attendue;
@@ -69,18 +81,14 @@ public final class Defauts {
         }
 
         public int faux(Couleur[] obtenue) {
-            return (int) IntStream.range(0, attendue.length).filter(k -> estFaux(k, obtenue)).count();
-        }
-
-        public boolean estFaux(int k, Couleur[] obtenue) {
-            return attendue[k] != null && (differe(attendue[k].r, obtenue[k].r) || differe(attendue[k].v, obtenue[k].v)
-                    || differe(attendue[k].b, obtenue[k].b));
+            return (int) IntStream.range(0, attendue.length).filter(k -> attendue[k] != null && (differe(attendue[k].r, obtenue[k].r)
+                    || differe(attendue[k].v, obtenue[k].v) || differe(attendue[k].b, obtenue[k].b))).count();
         }
     }
 
-    /** Ce que montre une sphère là où la direction V la rencontre, N y étant sa normale. */
+    /** Ce que montre une boule là où la direction V la rencontre, N y étant sa normale. */
     private interface Teinte {
-        Couleur en(Vecteur V, Vecteur N);
+        double[] en(double[] V, double[] N);
     }
 
     /** La moyenne de neuf points par pixel, à un tiers de pixel l'un de l'autre. */
@@ -93,161 +101,118 @@ public final class Defauts {
         return Releve.RIEN;
     };
 
-    /** Les défauts que la page montre, par le nom de leur image ; côté d'un pixel agrandi, et blanc entre les deux images. */
-    private static final Map<String, String> IMAGES = images();
-    private static final int LOUPE = 2;
-    private static final int MARGE = 4;
-
     private final List<Defaut> defauts = new ArrayList<>();
-    private Camera camera = new Camera(COTE, COTE);
 
-    private static Map<String, String> images() {
-        Map<String, String> images = new LinkedHashMap<>();
-        images.put("defaut-surface.png", "une surface s'ombre elle-même");
-        images.put("defaut-lampe.png", "b² − 4ac, lampe à 10⁹");
-        images.put("defaut-jumelle.png", "sphère jumelle gardée");
-        return images;
-    }
+    /** Au milieu d'une scène d'un côté pair, aucun pixel ne regarde exactement l'horizon. */
+    private int cote = 100;
 
     /** Écrit les images de la page. @param args leur dossier */
     public static void main(String[] args) {
-        dessiner().forEach((nom, image) -> new Ecriture<>(Paths.get(args[0], nom).toString(), new FichierPng()).ecrire(image));
+        dessiner().forEach((nom, image) -> new Ecriture<>(Path.of(args[0], nom).toString(), new FichierPng()).ecrire(image));
     }
 
     /** Chaque image, par son nom : celle du défaut à gauche, celle du programme à droite. */
     public static Map<String, ImageMemoire> dessiner() {
-        Map<String, Defaut> tous = new Defauts().tous().stream().collect(Collectors.toMap(d -> d.nom, d -> d));
-        Map<String, ImageMemoire> dessins = new LinkedHashMap<>();
-        IMAGES.forEach((nom, defaut) -> dessins.put(nom, tous.get(defaut).image()));
+        List<Defaut> tous = new Defauts().tous();
+        Map<String, ImageMemoire> dessins = new HashMap<>();
+        IMAGES.forEach((nom, defaut) -> dessins.put(nom, tous.stream().filter(d -> d.nom.equals(defaut)).findFirst().get().image()));
         return dessins;
     }
 
     public List<Defaut> tous() {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0);
-        Scene scene = scene(Camera.OEIL, boule);
-        noter("une surface s'ombre elle-même", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 0), deLaLampe(boule, 1));
-        epsilons();
-        voisin();
-        jumelle(boule);
-        Scene deux = scene(Camera.OEIL, boule, boule(0, 0, -9, 2, 1, 0));
-        noter("ombre d'un objet derrière la lampe", deux, 0, naive(deux, Ombre.SANS_DISTANCE, 0), deLaLampe(boule, 1));
+        Vue juste = deLOeil(boule);
+        noter("une surface s'ombre elle-même", A_L_OEIL, Ombre.SANS_EXCLURE, 0, juste, boule);
+        // trop court pour un sol de 3·10¹⁰ de rayon, trop long pour ce qui est à 5·10⁻⁵ de l'écran
+        double r = 1e11 / 3;
+        noter("epsilon de 10⁻⁶, sol de rayon 3·10¹⁰", A_L_OEIL, Ombre.SANS_EXCLURE, 1e-6, (xe, ye) -> {
+            double[] V = regard(xe, ye);
+            return TraceurPlat.couleur(V[1] < 0 ? gris(-0.8 * V[1]) : TraceurPlat.ciel(V));
+        }, boule(0, -r - 1, 5, r, 0.8, 0));
+        Sphere proche = boule(0, 0, 100 + 5e-5, 100, 1, 0);
+        noter("epsilon de 10⁻⁴, boule à 5·10⁻⁵", A_L_OEIL, Ombre.AUCUNE, 1e-4, deLOeil(proche), proche);
+        // l'écran est dans deux coques, à 10⁻⁵ l'une de l'autre ; la lampe, dehors, ne doit éclairer que la seconde
+        noter("départ exclu par la distance", new Lampe(new Point(0, 3, 12), new Couleur(1)), Ombre.SANS_EXCLURE, 1e-4,
+                (xe, ye) -> new Couleur(), boule(0, 0, 2, 4, 1, 0), boule(0, 0, 2, 4 + 1e-5, 1, 0));
+        noter("ombre d'un objet derrière la lampe", A_L_OEIL, Ombre.SANS_DISTANCE, 0, juste, boule, boule(0, 0, -9, 2, 1, 0));
+        Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0);
+        noter("sphère jumelle gardée", scene(A_L_OEIL, boule, jumelle), 0, new TraceurPlat(List.of(boule, jumelle), List.of(A_L_OEIL), cote,
+                cote, 0), juste);
         soleil();
-        miroir();
+        // le ciel change d'un coup à l'horizon
+        Sphere miroir = boule(0, 0, 5, 1.5, 0, 0.5);
+        noter("un miroir se réfléchit lui-même", new Scene(List.of(miroir), List.of()), 1,
+                new TraceurNaif(List.of(miroir), List.of(), cote, 1, Ombre.AUCUNE, 0), vue(miroir, false, (V, N) -> {
+                    double[] R = plus(V, -2 * dot(N, V), N);
+                    return Math.abs(R[1]) < 1e-9 ? null : fois(gris(0.5), TraceurPlat.ciel(R));
+                }));
         dedans();
-        dos();
-        Lancer lancer = new Lancer(scene, camera);
-        noter("pixels vus en leur coin", scene, 0, image((xe, ye) -> lancer.getCouleurPixel(xe - 0.5, ye - 0.5, 0)),
-                deLaLampe(boule, 1));
+        // un poli nul et une lampe derrière : (R·L)⁰ = 1 partout, mais la face que l'on voit ne reçoit rien
+        Sphere mate = boule(0, 0, 5, 1.5, 0, 0.5);
+        mate.setNs(0);
+        noter("ns = 0 sans regarder N·L", scene(new Lampe(new Point(0, 0, 50), new Couleur(1)), mate), 0,
+                vue(mate, false, (V, N) -> gris(0.5)), vue(mate, false, (V, N) -> gris(0)));
+        noter("pixels vus en leur coin", scene(A_L_OEIL, boule), 0, (xe, ye) -> juste.couleur(xe - 0.5, ye - 0.5), juste);
         limites();
-        camera = new Camera(COTE_IMPAIR, COTE_IMPAIR);
         lampePosee();
         return defauts;
     }
 
     private static Sphere boule(double x, double y, double z, double r, double kd, double ks) {
-        Sphere boule = new Sphere(new Point(x, y, z), r);
-        boule.setKd(new Couleur(kd));
-        boule.setKs(new Couleur(ks));
-        return boule;
+        return Ressources.boule(x, y, z, r, kd, ks, 1);
     }
 
-    private static Scene scene(Point lampe, Sphere... boules) {
-        return new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(lampe, new Couleur(1))));
+    private static Scene scene(Lampe lampe, Sphere... boules) {
+        return new Scene(Arrays.asList(boules), List.of(lampe));
     }
 
-    private Analytique forme(Sphere boule) {
-        return new Analytique(camera, boule.getCentre(), boule.getRayon());
+    private double[] regard(double xe, double ye) {
+        return unite(moins(TraceurPlat.ecran(cote, cote, xe, ye), TraceurPlat.OEIL));
     }
 
-    private Vue deLaLampe(Sphere boule, double lampe) {
-        return forme(boule).vueDeLaLampe(lampe);
-    }
-
-    /** Vue d'où l'on entre dans la sphère, ou d'où l'on en sort ; le ciel autour. */
+    /** Vue de l'œil, sans intersection calculée, d'où l'on entre dans la boule ou d'où l'on en sort ; le ciel autour. */
     private Vue vue(Sphere boule, boolean sortie, Teinte teinte) {
-        Analytique forme = forme(boule);
+        double[] f = moins(t(boule.getCentre()), TraceurPlat.OEIL);
         return (xe, ye) -> {
-            Vecteur V = forme.regard(xe, ye);
-            return forme.touche(V) ? teinte.en(V, forme.normale(V, sortie)) : Analytique.ciel(V);
+            double[] V = regard(xe, ye);
+            double[] perpendiculaire = plus(f, -dot(f, V), V);
+            double r = boule.getRayon();
+            double h2 = r * r - dot(perpendiculaire, perpendiculaire);
+            double h = sortie ? Math.sqrt(h2) : -Math.sqrt(h2);
+            double[] vue = h2 < 0 ? TraceurPlat.ciel(V) : teinte.en(V, fois(gris(1 / r), moins(fois(gris(h), V), perpendiculaire)));
+            return vue == null ? null : TraceurPlat.couleur(vue);
         };
     }
 
-    private Couleur[] naive(Scene scene, Ombre ombre, double epsilon) {
-        return image(new TraceurNaif(scene, camera, 0, ombre, epsilon));
-    }
-
-    /** Trop court pour un sol de 3·10¹⁰ de rayon, trop long pour ce qui est à 5·10⁻⁵ de l'écran. */
-    private void epsilons() {
-        double r = 1e11 / 3;
-        Sphere sol = boule(0, -r - 1, 5, r, 0.8, 0);
-        Scene grande = scene(Camera.OEIL, sol);
-        noter("epsilon de 10⁻⁶, sol de rayon 3·10¹⁰", grande, 0, naive(grande, Ombre.SANS_EXCLURE, 1e-6), (xe, ye) -> {
-            Vecteur V = forme(sol).regard(xe, ye);
-            return V.y < 0 ? new Couleur(-0.8 * V.y) : Analytique.ciel(V);
-        });
-        Sphere proche = boule(0, 0, 100 + 5e-5, 100, 1, 0);
-        Scene petite = scene(Camera.OEIL, proche);
-        noter("epsilon de 10⁻⁴, boule à 5·10⁻⁵", petite, 0, naive(petite, Ombre.AUCUNE, 1e-4), deLaLampe(proche, 1));
-    }
-
-    /** L'écran est dans deux coques, à 10⁻⁵ l'une de l'autre ; la lampe, dehors, ne doit éclairer que la seconde. */
-    private void voisin() {
-        Scene scene = scene(new Point(0, 3, 12), boule(0, 0, 2, 4, 1, 0), boule(0, 0, 2, 4 + 1e-5, 1, 0));
-        noter("départ exclu par la distance", scene, 0, naive(scene, Ombre.SANS_EXCLURE, 1e-4), (xe, ye) -> new Couleur());
-    }
-
-    private void jumelle(Sphere boule) {
-        Scene scene = scene(Camera.OEIL, boule, boule(0, 0, 5, 1.5, 1, 0));
-        // d'une classe dérivée, elle est gardée
-        Scene gardee = scene(Camera.OEIL, boule, new Sphere(boule.getCentre(), boule.getRayon()) { });
-        noter("sphère jumelle gardée", scene, 0, image(gardee, 0), deLaLampe(boule, 1));
+    /** La lampe est à l'œil. */
+    private Vue deLOeil(Sphere boule) {
+        return vue(boule, false, (V, N) -> fois(t(boule.getKd()), gris(-dot(N, V))));
     }
 
     /** Une lampe à un milliard : ses rayons sont parallèles. */
     private void soleil() {
-        Vecteur soleil = new Vecteur(-1, 2, -3).normalized();
+        double[] soleil = unite(new double[] {-1, 2, -3});
         Sphere boule = boule(0, 0, 5, 1, 0.75, 0);
-        Scene scene = scene(new Point().add(soleil.mul(1e9)), boule);
-        noter("b² − 4ac, lampe à 10⁹", scene, 0, naive(scene, Ombre.PREMIER_DU_MANUEL, 0),
-                vue(boule, false, (V, N) -> new Couleur(0.75 * Math.max(0, N.dot(soleil)))));
-    }
-
-    private void miroir() {
-        Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
-        Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
-        noter("un miroir se réfléchit lui-même", scene, 1,
-                image(new TraceurNaif(scene, camera, 1, Ombre.AUCUNE, 0)), vue(boule, false, (V, N) -> {
-                    Vecteur R = V.sub(N.mul(2 * N.dot(V)));
-                    // le ciel change d'un coup à l'horizon
-                    return Math.abs(R.y) < 1e-9 ? null : Analytique.ciel(R).mul(0.5);
-                }));
+        noter("b² − 4ac, lampe à 10⁹", new Lampe(new Point(1e9 * soleil[0], 1e9 * soleil[1], 1e9 * soleil[2]), new Couleur(1)),
+                Ombre.PREMIER_VU, 0, vue(boule, false, (V, N) -> gris(0.75 * Math.max(0, dot(N, soleil)))), boule);
     }
 
     /** L'œil dans une sphère, une lampe au-dehors : on voit la paroi par où sort le regard. */
     private void dedans() {
         Sphere boule = boule(0, 0, 0, 9, 1, 0);
-        Point lampe = new Point(0, 0, 20);
-        Analytique forme = forme(boule);
-        noter("première racine seule, vue du dedans", scene(lampe, boule), 0,
-                image((xe, ye) -> Analytique.ciel(forme.regard(xe, ye))), vue(boule, true,
-                    (V, N) -> new Couleur(Math.max(0, N.dot(new Vecteur(forme.point(N), lampe).normalized())))));
-    }
-
-    /** Un poli nul et une lampe derrière : (R·L)⁰ = 1 partout, mais la face que l'on voit ne reçoit rien. */
-    private void dos() {
-        Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
-        boule.setNs(0);
-        noter("ns = 0 sans regarder N·L", scene(new Point(0, 0, 50), boule), 0,
-                image(vue(boule, false, (V, N) -> new Couleur(0.5))), vue(boule, false, (V, N) -> new Couleur()));
+        double[] lampe = {0, 0, 20};
+        noter("première racine seule, vue du dedans", scene(new Lampe(new Point(0, 0, 20), new Couleur(1)), boule), 0,
+                (xe, ye) -> TraceurPlat.couleur(TraceurPlat.ciel(regard(xe, ye))),
+                vue(boule, true, (V, N) -> gris(Math.max(0, dot(N, unite(moins(lampe, fois(gris(9), N))))))));
     }
 
     /** Une lampe dix fois trop forte, neuf points par pixel : limiter chacun, ou leur moyenne. */
     private void limites() {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
-        Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
-        Vue points = deLaLampe(boule, 10);
-        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(NEUF_POINTS, scene.getModele().getSeuil())), 0,
-                image((xe, ye) -> moyenne(points, xe, ye, 1)), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
+        Vue points = vue(boule, false, (V, N) -> gris(-10 * dot(N, V)));
+        Scene scene = scene(new Lampe(Camera.OEIL, new Couleur(10)), boule);
+        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(NEUF_POINTS, 0)), 0,
+                (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 
     private static Couleur moyenne(Vue vue, double xe, double ye, double limite) {
@@ -261,29 +226,26 @@ public final class Defauts {
 
     /** La lampe est là où le pixel du milieu voit la boule : L = 0/0. Ailleurs, la boule lui tourne le dos. */
     private void lampePosee() {
+        cote++;
         Sphere boule = boule(0, 0, 5, 1, 1, 0);
-        Point lampe = new Point(0, 0, 4);
-        noter("lampe posée sur une boule : 0/0", scene(lampe, boule), 0, image(vue(boule, false, (V, N) -> {
-            Vecteur versLampe = new Vecteur(forme(boule).point(N), lampe);
-            return new Couleur(Math.max(0, N.dot(versLampe.div(Math.sqrt(versLampe.norme2())))));
-        })), vue(boule, false, (V, N) -> new Couleur()));
+        double[] lampe = {0, 0, -1};
+        noter("lampe posée sur une boule : 0/0", scene(new Lampe(new Point(0, 0, 4), new Couleur(1)), boule), 0,
+                vue(boule, false, (V, N) -> gris(Math.max(0, dot(N, unite(moins(lampe, N)))))), vue(boule, false, (V, N) -> gris(0)));
     }
 
-    private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
-        defauts.add(new Defaut(nom, camera.getLargeur(), image(juste), naive, image(scene.avec(scene.getModele().avecSeuil(0)), reflets)));
+    private void noter(String nom, Lampe lampe, Ombre ombre, double epsilon, Vue juste, Sphere... boules) {
+        noter(nom, scene(lampe, boules), 0, new TraceurNaif(Arrays.asList(boules), List.of(lampe), cote, 0, ombre, epsilon), juste);
     }
 
-    private Couleur[] image(Scene scene, int reflets) {
-        int largeur = camera.getLargeur();
-        Couleur[] image = new Couleur[largeur * camera.getHauteur()];
-        new Lancer(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
-        return image;
+    private void noter(String nom, Scene scene, int reflets, Vue naive, Vue juste) {
+        Couleur[] image = new Couleur[cote * cote];
+        new Lancer(scene.avec(scene.getModele().avecSeuil(0)), new Camera(cote, cote))
+                .TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, reflets, 1);
+        defauts.add(new Defaut(nom, cote, image(juste), image(naive), image));
     }
 
     private Couleur[] image(Vue vue) {
-        int largeur = camera.getLargeur();
-        return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> vue.couleur(k % largeur + 0.5, k / largeur + 0.5))
-                .toArray(Couleur[]::new);
+        return IntStream.range(0, cote * cote).mapToObj(k -> vue.couleur(k % cote + 0.5, k / cote + 0.5)).toArray(Couleur[]::new);
     }
 
     /** Ce que montre l'écran, limité à [0, 1] ; NaN n'est jamais juste. */

@@ -1,35 +1,29 @@
 package lancer.essai;
 
-import lancer.Constantes;
+import static lancer.essai.Triplets.dot;
+import static lancer.essai.Triplets.moins;
+import static lancer.essai.Triplets.plus;
+import static lancer.essai.Triplets.t;
+
 import lancer.Point;
 import lancer.Vecteur;
-import lancer.precision.Intersection;
 
 /**
- * Des façons de calculer la distance d'un rayon à une sphère, celles que l'on trouve partout et celle du programme : les tests montrent
- * où chacune échoue.
- *
- * <p>Toutes reçoivent un départ P, une direction V « de longueur 1 », un centre C et un rayon r, et rendent la plus petite distance
- * strictement positive, +∞ si elles n'en trouvent pas.
+ * Des façons de calculer la distance d'un rayon à une sphère, celles que l'on trouve partout : les tests montrent où chacune échoue. Leur
+ * arithmétique est la leur, et ne change pas avec le programme.
  */
 public enum Formule {
 
     /**
-     * a t² + b t + c = 0, avec f = P − C, a = V·V, b = 2 V·f, c = f·f − r². Le discriminant b² − 4ac soustrait deux nombres de l'ordre
-     * de |f|² pour en trouver un de l'ordre de r².
+     * a t² + b t + c = 0, a = V·V, b = −2 V·f, c = f·f − r². Le discriminant b² − 4ac soustrait deux nombres de l'ordre de |f|² pour en
+     * trouver un de l'ordre de r².
      */
     MANUEL {
         @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            Vecteur f = P.sub(C);
-            double a = V.dot(V);
-            double b = 2 * V.dot(f);
-            double c = f.dot(f) - r * r;
-            double discriminant = b * b - 4 * a * c;
-            if (discriminant < 0) {
-                return Constantes.INFINI;
-            }
-            double racine = Math.sqrt(discriminant);
+        double distance(double[] f, double[] V, double r) {
+            double a = dot(V, V);
+            double b = -2 * dot(V, f);
+            double racine = Math.sqrt(b * b - 4 * a * (dot(f, f) - r * r));
             return premiere((-b - racine) / (2 * a), (-b + racine) / (2 * a));
         }
     },
@@ -37,16 +31,11 @@ public enum Formule {
     /** Le même discriminant, mais la racine q = −(b + signe(b)√Δ)/2 puis t = q/a ou c/q : rien ne s'y soustrait… après Δ. */
     RACINES {
         @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            Vecteur f = P.sub(C);
-            double a = V.dot(V);
-            double b = 2 * V.dot(f);
-            double c = f.dot(f) - r * r;
-            double discriminant = b * b - 4 * a * c;
-            if (discriminant < 0) {
-                return Constantes.INFINI;
-            }
-            double q = -(b + Math.copySign(Math.sqrt(discriminant), b)) / 2;
+        double distance(double[] f, double[] V, double r) {
+            double a = dot(V, V);
+            double b = -2 * dot(V, f);
+            double c = dot(f, f) - r * r;
+            double q = -(b + Math.copySign(Math.sqrt(b * b - 4 * a * c), b)) / 2;
             return premiere(Math.min(q / a, c / q), Math.max(q / a, c / q));
         }
     },
@@ -54,15 +43,9 @@ public enum Formule {
     /** La perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les racines telles quelles. */
     PERPENDICULAIRE {
         @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            Vecteur f = C.sub(P);
-            double b = f.dot(V);
-            Vecteur l = f.sub(V.mul(b));
-            double h2 = r * r - l.dot(l);
-            if (h2 < 0) {
-                return Constantes.INFINI;
-            }
-            double h = Math.sqrt(h2);
+        double distance(double[] f, double[] V, double r) {
+            double b = dot(f, V);
+            double h = demiCorde(f, V, r);
             return premiere(b - h, b + h);
         }
     },
@@ -73,18 +56,12 @@ public enum Formule {
      */
     EN_DOUBLES {
         @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            Vecteur f = C.sub(P);
-            double b = f.dot(V);
-            double h2 = r * r - f.sub(V.mul(b)).norme2();
-            if (!(h2 >= 0)) {
-                return Constantes.INFINI;
-            }
-            double c = f.norme2() - r * r;
-            if (c > 0) {
-                return b > 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
-            }
-            return premiere(b > 0 ? b + Math.sqrt(h2) : c / (b - Math.sqrt(h2)), Constantes.INFINI);
+        double distance(double[] f, double[] V, double r) {
+            double b = dot(f, V);
+            double h = demiCorde(f, V, r);
+            double c = dot(f, f) - r * r;
+            double entree = b > 0 ? c / (b + h) : Double.NaN;
+            return c > 0 ? premiere(entree, entree) : premiere(b > 0 ? b + h : c / (b - h), Double.NaN);
         }
     },
 
@@ -94,23 +71,26 @@ public enum Formule {
      */
     REPRISE {
         @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            double avance = Math.max(0, C.sub(P).dot(V) - r);
-            return avance + MANUEL.distance(P.add(avance, V), V, C, r);
-        }
-    },
-
-    /** La nôtre, telle que le programme l'appelle. */
-    PROGRAMME {
-        @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            return Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
+        double distance(double[] f, double[] V, double r) {
+            double avance = Math.max(0, dot(f, V) - r);
+            return avance + MANUEL.distance(plus(f, -avance, V), V, r);
         }
     };
 
-    public abstract double distance(Point P, Vecteur V, Point C, double r);
+    /** @param f du départ au centre @param V « de longueur 1 » @return la plus petite distance positive, +∞ s'il n'y en a pas */
+    abstract double distance(double[] f, double[] V, double r);
+
+    public double distance(Point P, Vecteur V, Point C, double r) {
+        return distance(moins(t(C), t(P)), t(V), r);
+    }
+
+    /** NaN si la droite ne touche pas la sphère. */
+    private static double demiCorde(double[] f, double[] V, double r) {
+        double[] l = plus(f, -dot(f, V), V);
+        return Math.sqrt(r * r - dot(l, l));
+    }
 
     private static double premiere(double t1, double t2) {
-        return t1 > 0 ? t1 : t2 > 0 ? t2 : Constantes.INFINI;
+        return t1 > 0 ? t1 : t2 > 0 ? t2 : Double.POSITIVE_INFINITY;
     }
 }
