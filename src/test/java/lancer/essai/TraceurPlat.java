@@ -87,7 +87,7 @@ public class TraceurPlat implements Vue {
         return Math.pow(Math.max(0, dot(R, L)), ns);
     }
 
-    static double[] ciel(double[] V) {
+    protected static double[] ciel(double[] V) {
         double y = V[1];
         return y > 0 ? new double[] {0.7 * (1 - y), 0.7 * (1 - y), 1} : new double[] {0.5, 0.4 + 0.2 * y, 0.1};
     }

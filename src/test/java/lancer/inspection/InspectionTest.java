@@ -1,15 +1,20 @@
 package lancer.inspection;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
+import java.util.function.DoubleFunction;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Constantes;
@@ -26,7 +31,6 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Releve;
 import lancer.essai.Essai;
-import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
@@ -34,6 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
 class InspectionTest {
@@ -58,26 +63,98 @@ class InspectionTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"p1-quatre, 5, 0.0009765625, Ks nul", "p2-sol, 5, 0, ciel", "p3-miroirs, 9, 0, ciel", "p3-miroirs, 40, 0.3, 'poids '",
-        "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
+    @CsvSource({"p1-quatre, 5, 0.0009765625, Ks nul", "p2-sol, 5, 0, ciel", "p3-miroirs, 9, 0, ciel", "p3-miroirs, 40, 0.3, poids",
+        "p4-foule, 1, 0.0009765625, réflexion", "p4-foule, 0, 0, réflexion"})
     void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
-        String fichier = Ressources.chemin("reference/" + nom + ".ini");
-        SceneLue lue = LecteurScene.lire(fichier, part -> { });
-        Scene scene = new Scene(lue.objets, lue.lampes).avec(new Modele().avecSeuil(seuil));
-        Function<Object, String> origines = lue::getOrigine;
-        EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
+        Scene scene = new Scene(Ressources.chemin("reference/" + nom + ".ini")).avec(new Modele().avecSeuil(seuil));
+        EssaiSegments essai = new EssaiSegments(scene, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
-            int x = hasard.nextInt(80);
-            int y = hasard.nextInt(60);
-            recit.verifier(x, y, String.join("\n",
-                    recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).raconter().lignes()));
+            essai.verifier(inspecter(scene, chose -> null, new Camera(80, 60), reflets, hasard.nextInt(80), hasard.nextInt(60)));
         }
-        assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
-        assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
+        assertTrue(essai.contacts > 60 && essai.eclairees > 20, essai.contacts + " contacts, " + essai.eclairees);
+        assertTrue(essai.arrets.contains(arret), essai.arrets.toString());
         if (nom.equals("p2-sol") || nom.equals("p4-foule")) {
-            assertTrue(recit.cachees > 5, recit.cachees + " lampes cachées");
+            assertTrue(essai.cachees > 5, essai.cachees + " lampes cachées");
         }
+    }
+
+    /** Le texte entier, à quatre décimales : deux reflets, une lampe cachée, une autre dans le dos, des rivaux. */
+    @Test
+    void leTexteEstCeluiQueLOnARelu() throws IOException {
+        SceneLue lue = LecteurScene.lire(Ressources.chemin("reference/recit.ini"), part -> { });
+        Scene scene = new Scene(lue.objets, lue.lampes);
+        DoubleFunction<String> court = x -> String.format(Locale.ROOT, "%.4f", x);
+        String dit = String.join("\n", new Recit(inspecter(scene, lue::getOrigine, new Camera(80, 60), 2, 40, 42), court, court)
+                .raconter().lignes());
+        assertEquals(Essai.ressource(InspectionTest.class, "/reference/recit.txt").trim(), dit);
+    }
+
+    /** Ce qu'un étudiant change dans getColor : un terme de plus, un facteur oublié, le dernier terme seul, deux couleurs échangées. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3})
+    void ceQueLesTermesNExpliquentPasEstAutre(int change) {
+        UnaryOperator<Couleur> fausse = List.<UnaryOperator<Couleur>>of(c -> c.add(new Couleur(0.1, 0.02, 0.3)), c -> c.div(7),
+                c -> new Couleur(), c -> new Couleur(c.b, c.v, c.r)).get(change);
+        List<Sphere> boules = new ArrayList<>();
+        for (double[] b : new double[][] {{0, 0, 8, 2}, {0, 0, -9, 3}}) {
+            Sphere boule = new Sphere(new Point(b[0], b[1], b[2]), b[3]) {
+                @Override
+                public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                    return fausse.apply(super.getColor(scene, incident, contact, profondeur));
+                }
+            };
+            boule.setKd(new Couleur(0.2, 0.3, 0.9));
+            boule.setKs(new Couleur(0.5));
+            boules.add(boule);
+        }
+        Inspection pixel = auMilieu(new Scene(boules, List.of(new Lampe(new Point(0, 5, 0), new Couleur(1)))));
+        assertEquals(6, pixel.getSegments().size());
+        List<String> lignes = recitDe(pixel).raconter().lignes();
+        for (Segment segment : pixel.getSegments()) {
+            Couleur termes = segment.eclairages.get(0).apport;
+            Couleur somme = segment.reflet == null ? termes : termes.add(segment.reflet);
+            assertEquals(segment.somme.sub(somme), segment.autre);
+            assertNotEquals(new Couleur(), segment.autre);
+            assertTrue(lignes.contains("  autre = " + composantes(segment.autre) + " (que le récit ne connaît pas)"), lignes.toString());
+        }
+        assertEquals(pixel.getCouleur(), pixel.getSegments().get(0).somme);
+    }
+
+    private static String composantes(Couleur c) {
+        return c.r + " " + c.v + " " + c.b;
+    }
+
+    @Test
+    void uneReflexionDevieeEstSuivie() {
+        Sphere deviee = new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Vecteur getReflexion(Vecteur V, Vecteur N) {
+                return new Vecteur(0, 1, 0);
+            }
+        };
+        deviee.setKs(new Couleur(0.5));
+        Inspection pixel = auMilieu(new Scene(List.of(deviee), List.of()));
+        assertEquals(new Vecteur(0, 1, 0), pixel.getSegments().get(1).rayon.getV());
+        assertEquals(new Couleur(), pixel.getSegments().get(0).autre);
+    }
+
+    /** Ce que Lancer ajoute après getColor : ici, la caméra regarde ailleurs quand elle est interrogée de nouveau. */
+    @Test
+    void ceQuiChangeApresGetColorEstAutre() {
+        Camera camera = new Camera(9, 9) {
+            private int fois;
+
+            @Override
+            public Rayon getRayon(double xe, double ye) {
+                return super.getRayon(xe, fois++ == 0 ? 0 : ye);
+            }
+        };
+        Inspection pixel = inspecter(new Scene(List.of(), List.of()), chose -> null, camera, 5, 4, 4);
+        Couleur autre = pixel.getCouleur().sub(pixel.getSegments().get(0).somme);
+        assertNotEquals(new Couleur(), autre);
+        List<String> lignes = recitDe(pixel).raconter().lignes();
+        assertEquals("autre = " + composantes(autre) + " (que le récit ne connaît pas)", lignes.get(lignes.size() - 2));
     }
 
     /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */

@@ -11,13 +11,18 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.DoubleFunction;
+import lancer.Camera;
 import lancer.Scene;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
-import lancer.essai.EssaiRecit;
+import lancer.inspection.EssaiSegments;
+import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Tag;
@@ -84,19 +89,29 @@ class AntialiasTest {
         lignes.addAll(Arrays.asList("[Blinn]", "facteur=" + facteur, "[Brume]", "couleur=0.8 0.7 0.6", "debut=1.5", "densite=" + densite));
         Path scene = scene(lignes.toArray(new String[0]));
         SceneLue lue = LecteurScene.lire(scene.toString(), part -> { });
-        EssaiRecit recit = new EssaiRecit(new Scene(lue.objets, lue.lampes).avec(lue.getModele()), lue::getOrigine, 40, 30, reflets,
-                d -> 1 - Math.exp(-densite * Math.max(0, d - 1.5)), new double[] {0.8, 0.7, 0.6}, facteur);
-        try (Essai.Isole programme = new Essai.Isole(Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class),
-                Essai.origine(Blinn.class)))) {
-            for (int k = 0; k < 60; k++) {
-                int x = 7 * k % 40;
-                int y = k % 30;
-                recit.verifier(x, y, programme.executer("--taille=40x30", "--reflets=" + reflets, "--pixel=" + x + "," + y,
-                        scene.toString()).sortie);
-            }
+        Scene lues = new Scene(lue.objets, lue.lampes).avec(lue.getModele());
+        EssaiSegments essai = new EssaiSegments(lues, reflets, d -> 1 - Math.exp(-densite * Math.max(0, d - 1.5)),
+                new double[] {0.8, 0.7, 0.6}, facteur);
+        int pesees = 0;
+        for (int k = 0; k < 60; k++) {
+            Inspection pixel = new Inspection(lues, lue::getOrigine, new Camera(40, 30), reflets, 7 * k % 40, k % 30);
+            pixel.faire();
+            String dit = String.join("\n", essai.verifier(pixel));
+            pesees += dit.contains("\nleur moyenne = ") ? 1 : 0;
         }
-        assertTrue(recit.eclairees > 20 && recit.contacts > 30, recit.eclairees + " lampes, " + recit.contacts + " contacts");
-        assertTrue(echantillons.contains("partage") ? recit.pesees > 20 : recit.pesees == 0, recit.pesees + " pixels pesés");
+        assertTrue(essai.eclairees > 20 && essai.contacts > 30, essai.eclairees + " lampes, " + essai.contacts + " contacts");
+        assertTrue(echantillons.contains("partage") ? pesees > 20 : pesees == 0, pesees + " pixels pesés");
+    }
+
+    /** Le texte entier, à quatre décimales : les échantillons, la brume, la bissectrice. */
+    @Test
+    void leTexteEstCeluiQueLOnARelu() throws IOException {
+        SceneLue lue = LecteurScene.lire(scene(ini("recit.ini"), "[Antialias]", "n=2", "[Blinn]", "[Brume]").toString(), part -> { });
+        Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes).avec(lue.getModele()), lue::getOrigine, new Camera(80, 60), 1,
+                40, 24);
+        pixel.faire();
+        DoubleFunction<String> court = x -> String.format(Locale.ROOT, "%.4f", x);
+        assertEquals(ini("recit-variantes.txt").trim(), String.join("\n", new Recit(pixel, court, court).raconter().lignes()));
     }
 
     @ParameterizedTest
