@@ -95,7 +95,7 @@ class AntialiasTest {
         int pesees = 0;
         for (int k = 0; k < 60; k++) {
             Inspection pixel = new Inspection(lues, lue::getOrigine, new Camera(40, 30), reflets, 7 * k % 40, k % 30);
-            pixel.faire();
+            pixel.faire(() -> false);
             String dit = String.join("\n", essai.verifier(pixel));
             pesees += dit.contains("\nleur moyenne = ") ? 1 : 0;
         }
@@ -109,7 +109,7 @@ class AntialiasTest {
         SceneLue lue = LecteurScene.lire(scene(ini("recit.ini"), "[Antialias]", "n=2", "[Blinn]", "[Brume]").toString(), part -> { });
         Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes).avec(lue.getModele()), lue::getOrigine, new Camera(80, 60), 1,
                 40, 24);
-        pixel.faire();
+        pixel.faire(() -> false);
         DoubleFunction<String> court = x -> String.format(Locale.ROOT, "%.4f", x);
         assertEquals(ini("recit-variantes.txt").trim(), String.join("\n", new Recit(pixel, court, court).raconter().lignes()));
     }
