@@ -52,6 +52,7 @@ class IdentiteTest {
         }
         scenes.putAll(ScenesDEssai.toutes(FOULE));
         scenes.putAll(ScenesDEssai.extremes(FOULE));
+        ScenesDEssai.hostiles(3 * FOULE).forEach((nom, scene) -> scenes.put("hostile : " + nom, scene));
         for (int n = 0; n < 50 / PART; n++) {
             scenes.put("graine " + (4300 + n), new Tirages(4300 + n).scene(1 + 2 * n));
         }

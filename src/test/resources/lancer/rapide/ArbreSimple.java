@@ -17,7 +17,7 @@ import lancer.contrat.Recherche;
  * (seize tranches par axe), feuilles de quatre sphères au plus, l'enfant proche d'abord. Ses boîtes sont bien plus larges
  * qu'il ne faut : ce qu'il trouve est ce que trouvent les boucles.
  */
-final class ArbreSimple implements Recherche {
+public final class ArbreSimple implements Recherche {
 
     private static final int TRANCHES = 16;
     private static final double MARGE = 1e-12;
@@ -29,7 +29,7 @@ final class ArbreSimple implements Recherche {
     private double distance;
     private int trouve;
 
-    ArbreSimple(List<Objet3D> objets, Compteurs compteurs) {
+    public ArbreSimple(List<Objet3D> objets, Compteurs compteurs) {
         this.objets = objets;
         this.compteurs = compteurs;
         geometrie = new double[objets.size()][];
