@@ -1,5 +1,8 @@
 # Ce que partagent le Makefile de la racine, celui d'outils et ceux des variantes. Voir « make aide ».
 
+# Une erreur pour le make des BSD (bmake), qui ne lirait pas la suite ; pour GNU make, une règle que rien n'emploie.
+.error Ce projet demande GNU make, qui s'appelle make ou gmake
+
 RACINE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 MVN ?= mvn -B -ntp
 JAVA ?= java
@@ -41,7 +44,7 @@ run: $(JARS)
 	    [ $$statut = 1 ] || exit $$statut; \
 	fi; \
 	nom="$(VARIANTE)"; \
-	png="$(CURDIR)/target/$${nom:-$$(basename "$(SCENE)" .ini)$(subst $(vide) $(vide),,$(VARIANTES:%=-%))}.png"; \
+	png="$$PWD/target/$${nom:-$$(basename "$(SCENE)" .ini)$(subst $(vide) $(vide),,$(VARIANTES:%=-%))}.png"; \
 	$(JAVA_IMAGE) $(PROGRAMME) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
 
 # Dans le dossier d'une variante, les tests de son paquet ; à la racine, ceux de tout.
@@ -52,18 +55,27 @@ test: outils
 	    -Dsurefire.failIfNoSpecifiedTests=false package
 endif
 
+# Ce qui dit où trouver ce paquet de Debian.
+installer = $(if $(shell command -v apt-get), : sudo apt-get install $(1), ; docs/construire.md dit où le trouver)
+
 outils:
-	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
-	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
+	@[ -z "$$JAVA_HOME" ] || [ -x "$$JAVA_HOME/bin/javac" ] || { echo "JAVA_HOME=$$JAVA_HOME n'est pas le dossier d'un JDK :" \
+	    "unset JAVA_HOME, ou lui en donner un" >&2; exit 1; }
+	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent$(call installer,default-jdk)" >&2; exit 1; }
+	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven$(call installer,maven)" >&2; exit 1; }
 	@mkdir -p $(RACINE)/target 2>/dev/null && [ -w $(RACINE)/target ] || { echo "Tout se construit dans $$(cd $(RACINE) && pwd)/target," \
 	    "où rien ne peut s'écrire : copier le projet dans un dossier à soi, et y lancer make" >&2; exit 1; }
 
 # Maven refait un jar là où quelque chose est plus récent que lui : un pom, une source, ou le dossier d'une source ajoutée ou effacée.
 # Il travaille sans rien dire : la première fois, une demi-minute.
+SOURCES = $(RACINE)/*.xml $(RACINE)/*/pom.xml $(RACINE)/src/main $(if $(filter lancer,$(notdir $*)),,$(@D)/../src) \
+    $(if $(filter mesures correction,$(notdir $*)),$(RACINE)/*/src/main $(RACINE)/src/test/java/lancer/Tests.java)
+
 %.jar: toujours | outils
-	@if [ ! -e $@ ] || [ -n "$$(find $(RACINE)/*.xml $(RACINE)/*/pom.xml $(RACINE)/src/main $(if $(filter lancer,$(notdir $*)),,$(@D)/../src) \
-	        $(if $(filter mesures correction,$(notdir $*)),$(RACINE)/*/src/main $(RACINE)/src/test/java/lancer/Tests.java) -newer $@ | head -n 1)" ]; then \
-	    echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"; \
+	@if [ ! -e $@ ] || [ -n "$$(find $(SOURCES) -newer $@ | head -n 1)" ]; then \
+	    touch $(RACINE)/target/maintenant; avenir=$$(find $(SOURCES) -newer $(RACINE)/target/maintenant | head -n 1); \
+	    [ -z "$$avenir" ] || echo "$$avenir est daté de l'avenir, donc reconstruit à chaque fois : touch $$avenir"; \
+	    echo "Construction de $@ ; la toute première fois, Maven télécharge une trentaine de Mo"; \
 	    $(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(notdir $*) -am -DskipTests package && touch $@; \
 	fi
 
