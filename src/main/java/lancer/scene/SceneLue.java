@@ -169,7 +169,7 @@ public final class SceneLue {
         new Ecriture<byte[][]>(chemin.toString(), (octets, sortie) -> {
             octets[0] = deplacer(deplacee);
             sortie.write(octets[0]);
-        }).ecrire(ecrit);
+        }).remplacer(ecrit);
         try {
             String nouvelle = version(chemin);
             deplacee.version = Arrays.equals(ecrit[0], Files.readAllBytes(chemin)) ? nouvelle : version;

@@ -12,9 +12,12 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import lancer.texte.Texte;
 
@@ -38,6 +41,10 @@ public final class Ecriture<T> {
     static {
         Runtime.getRuntime().addShutdownHook(new Thread(CREATION::lock));
     }
+
+    /** Combien de fois un remplacement est essayé, et en combien de nanosecondes : une seconde en tout. */
+    private static final int ESSAIS = 11;
+    private static final long ENTRE_DEUX_ESSAIS_NS = 100_000_000;
 
     private final String nom;
     private final Format<T> format;
@@ -95,13 +102,28 @@ public final class Ecriture<T> {
     }
 
     /** Remplace le contenu de ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
-    public void ecrire(T contenu) {
-        ecrire(contenu, Collections.singleton(this));
+    public void remplacer(T contenu) {
+        ecrire(contenu, Collections.singleton(this), false);
     }
 
-    /** Écrit ce contenu dans tous ces fichiers ou dans aucun. @throws Echec si une écriture échoue */
+    /** Voir {@link #ecrire(Object, Collection)}. */
+    public void ecrire(T contenu) {
+        ecrire(contenu, Collections.singleton(this), true);
+    }
+
+    /**
+     * Écrit ce contenu dans tous ces fichiers ou dans aucun. Là où le système refuse que l'ancien soit remplacé, parce
+     * qu'un autre programme le tient ouvert, le nouveau est écrit à côté, {@code boules-2.png} pour {@code boules.png}.
+     *
+     * @throws Echec si une écriture échoue, ou si un fichier est à côté
+     */
     public static <T> void ecrire(T contenu, Collection<Ecriture<T>> fichiers) {
+        ecrire(contenu, fichiers, true);
+    }
+
+    private static <T> void ecrire(T contenu, Collection<Ecriture<T>> fichiers, boolean aCoteSIlLeFaut) {
         Ecriture<T> enCours = null;
+        List<String> aCote = new ArrayList<>();
         try {
             for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
@@ -111,7 +133,14 @@ public final class Ecriture<T> {
             }
             for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
-                fichier.remplacer();
+                try {
+                    fichier.renommer();
+                } catch (IOException e) {
+                    if (!aCoteSIlLeFaut) {
+                        throw e;
+                    }
+                    aCote.add(fichier.ecrireACote(e));
+                }
             }
         } catch (IOException e) {
             throw enCours.impossible(e);
@@ -120,13 +149,17 @@ public final class Ecriture<T> {
                 fichier.provisoire.toFile().delete();
             }
         }
+        if (!aCote.isEmpty()) {
+            throw Echec.machine(String.join(" ; ", aCote));
+        }
     }
 
     private OutputStream ouvrir() throws IOException {
         if (directe) {
             return Files.newOutputStream(cible);
         }
-        boolean remplace = Files.exists(cible);
+        // sous Windows, ni permissions à garder, ni lecture d'un fichier qu'un autre programme peut tenir
+        boolean remplace = !Console.WINDOWS && Files.isRegularFile(cible);
         creer(() -> {
             if (remplace) {
                 // pour ses permissions et, si le système le permet, son propriétaire
@@ -137,8 +170,7 @@ public final class Ecriture<T> {
             // il disparaît même si Ctrl+C interrompt l'écriture
             provisoire.toFile().deleteOnExit();
         });
-        surPlace = remplace && cible.getFileSystem().supportedFileAttributeViews().contains("unix")
-                && ((int) Files.getAttribute(cible, "unix:nlink") > 1
+        surPlace = remplace && ((int) Files.getAttribute(cible, "unix:nlink") > 1
                 || !Files.getOwner(provisoire).equals(Files.getOwner(cible)));
         // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
         return Files.newOutputStream(provisoire, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
@@ -157,7 +189,22 @@ public final class Ecriture<T> {
         }
     }
 
-    private void remplacer() throws IOException {
+    /** Met le fichier provisoire à sa place. Un refus peut ne durer qu'un instant, celui d'un antivirus : il y a dix essais. */
+    private void renommer() throws IOException {
+        for (int essai = 1; ; essai++) {
+            try {
+                mettreEnPlace();
+                return;
+            } catch (FileSystemException e) {
+                if (essai == ESSAIS) {
+                    throw e;
+                }
+                LockSupport.parkNanos(ENTRE_DEUX_ESSAIS_NS);
+            }
+        }
+    }
+
+    private void mettreEnPlace() throws IOException {
         if (surPlace) {
             try (OutputStream sortie = Files.newOutputStream(cible)) {
                 Files.copy(provisoire, sortie);
@@ -166,6 +213,20 @@ public final class Ecriture<T> {
             // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme le verrait absent
             Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
         }
+    }
+
+    /** Donne au fichier provisoire le premier nom libre. @return ce que l'on en dit */
+    private String ecrireACote(IOException refus) throws IOException {
+        String seul = cible.getFileName().toString();
+        int point = seul.contains(".") ? seul.lastIndexOf('.') : seul.length();
+        Path autre = cible;
+        for (int n = 2; Files.exists(autre); n++) {
+            autre = cible.resolveSibling(seul.substring(0, point) + '-' + n + seul.substring(point));
+        }
+        Files.move(provisoire, autre);
+        String raison = Console.WINDOWS ? "un autre programme le tient ouvert" : ErreurSysteme.raison(refus, nom);
+        return Texte.echappe(nom) + " : remplacement impossible, " + raison + " ; écrit à côté, dans "
+                + Texte.echappe(autre.getFileName().toString());
     }
 
     private Echec impossible(Throwable e) {

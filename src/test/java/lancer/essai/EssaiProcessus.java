@@ -13,6 +13,8 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lancer.Main;
@@ -112,9 +114,9 @@ public abstract class EssaiProcessus {
 
     /** Ce qui est dans le dossier, les flux mis à part. */
     protected void verifierDossier(String... noms) {
-        List<String> presents = new ArrayList<>(Arrays.asList(dossier.toFile().list()));
+        Set<String> presents = new TreeSet<>(Arrays.asList(dossier.toFile().list()));
         presents.remove("flux");
-        assertEquals(Arrays.asList(noms), presents);
+        assertEquals(new TreeSet<>(Arrays.asList(noms)), presents);
     }
 
     protected int demarrerInterruptible(String... arguments) throws Exception {

@@ -19,6 +19,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import javax.imageio.ImageIO;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
 import lancer.systeme.Echec;
@@ -139,10 +140,30 @@ class EchecsTest extends EssaiProcessus {
         assertEquals(1, e.code);
 
         Files.createDirectories(sous.resolve("a.png/plein"));
-        e = assertThrows(Echec.class, () -> ecriture.ecrire(image));
-        assertTrue(e.getMessage().startsWith(sous.resolve("a.png") + " : écriture impossible, "), e.getMessage());
+        e = assertThrows(Echec.class, () -> ecriture.remplacer(image));
+        assertEquals(sous.resolve("a.png") + " : écriture impossible, c'est un dossier", e.getMessage());
         assertEquals(1, e.code);
         assertArrayEquals(new String[] {"a.png"}, sous.toFile().list());
+    }
+
+    /** Un dossier qui n'est pas vide ne se remplace pas : c'est, sur tout système, comme un fichier qu'un autre programme tient. */
+    @Test
+    void uneImageDontLaPlaceEstPriseEstEcriteEntiereACote() throws IOException {
+        Path png = dossier.resolve("a.png");
+        Path pfm = dossier.resolve("a.pfm");
+        Ecriture<ImageMemoire> prise = new Ecriture<>(png.toString(), new FichierPng());
+        Ecriture<ImageMemoire> libre = new Ecriture<>(pfm.toString(), new FichierPfm());
+        Files.createDirectories(png.resolve("plein"));
+        Files.write(dossier.resolve("a-2.png"), AVANT);
+        ImageMemoire image = new ImageMemoire(3, 2, true);
+        Echec e = assertThrows(Echec.class, () -> Ecriture.ecrire(image, Arrays.asList(prise, libre)));
+        assertEquals(1, e.code);
+        assertTrue(e.getMessage().startsWith(png + " : remplacement impossible, "), e.getMessage());
+        assertTrue(e.getMessage().endsWith(" ; écrit à côté, dans a-3.png"), e.getMessage());
+        assertEquals(3, ImageIO.read(dossier.resolve("a-3.png").toFile()).getWidth());
+        assertTrue(Files.size(pfm) > 0);
+        assertArrayEquals(AVANT, Files.readAllBytes(dossier.resolve("a-2.png")));
+        verifierDossier("a.png", "a-2.png", "a-3.png", "a.pfm");
     }
 
     @Test
