@@ -1,7 +1,7 @@
 # Ce que partagent le Makefile de la racine, celui d'outils et ceux des variantes. Voir « make aide ».
 
 # Une erreur pour le make des BSD (bmake), qui ne lirait pas la suite ; pour GNU make, une règle que rien n'emploie.
-.error Ce projet demande GNU make, qui s'appelle make ou gmake
+.error Ce projet demande GNU make : il s'appelle gmake, ou make
 
 RACINE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 MVN ?= mvn -B -ntp
