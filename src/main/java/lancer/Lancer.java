@@ -1,6 +1,7 @@
 package lancer;
 
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -56,7 +57,7 @@ public final class Lancer {
     }
 
     /**
-     * Dessine un brouillon, un rayon pour 4 × 4 pixels et une réflexion au plus, puis tous les pixels.
+     * Dessine un brouillon si la toile en montre un, puis tous les pixels, selon l'échantillonnage de la scène.
      *
      * @param profondeur nombre de réflexions permises
      * @param fils nombre de fils d'exécution, au moins 1
@@ -68,27 +69,18 @@ public final class Lancer {
             TracerBrouillon(toile, profondeur, fils);
             toile.finirBrouillon();
         }
-        TracerPixels(toile, profondeur, fils);
+        atelier.dessiner(getEchantillonnage(), getVues(profondeur), toile, fils);
     }
 
     /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        Tracer(Lancer::TracerCarres, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
-    }
-
-    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
-    public void TracerPixels(Toile toile, int profondeur, int fils) {
-        Tracer(getEchantillonnage(), toile, profondeur, fils);
+        atelier.dessiner(Lancer::TracerCarres, getVues(Math.min(profondeur, Constantes.REFLETS_BROUILLON)), toile,
+                fils);
     }
 
     /** L'échantillonnage de la scène : celui qu'une variante a choisi ou, à défaut, la double boucle du cours. */
     public Echantillonnage getEchantillonnage() {
         return scene.getModele().getEchantillonnage().orElse(Lancer::TracerPave);
-    }
-
-    /** Dessine l'image selon cet échantillonnage. */
-    public void Tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
-        atelier.dessiner(echantillonnage, () -> getVueDUnFil(profondeur), toile, fils);
     }
 
     /**
@@ -122,9 +114,9 @@ public final class Lancer {
         return Releve.RIEN;
     }
 
-    /** Regarde l'image une première fois, sans rien peindre. @return {@link Atelier#seRegardeDeuxFois} */
-    public boolean regarder(int profondeur, int fils) {
-        return atelier.regarder(getEchantillonnage(), () -> getVueDUnFil(profondeur), fils);
+    /** Les vues des fils qui dessinent cette scène : chaque appel en rend une. */
+    public Supplier<Vue> getVues(int profondeur) {
+        return () -> getVueDUnFil(profondeur);
     }
 
     /** La vue d'un fil, par son propre lancer. */

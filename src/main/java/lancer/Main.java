@@ -10,6 +10,7 @@ import lancer.contrat.Toile;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
+import lancer.dessin.Rapport;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.systeme.Console;
@@ -55,7 +56,11 @@ public class Main implements Toile {
             } else if (options.sansFenetre()) {
                 return new SansFenetre(options, Main::dessiner, sortie, erreur).faire();
             } else {
-                Programme programme = (demande, suivi) -> dessiner(demande, suivi).rapporter(sortie, erreur);
+                Programme programme = (demande, suivi) -> {
+                    Dessin dessin = dessiner(demande, suivi);
+                    Rapport.dire(dessin, sortie, erreur);
+                    return dessin;
+                };
                 Ouverture.ouvrir(options, programme, erreur, () -> System.exit(0));
             }
             return 0;
@@ -72,7 +77,7 @@ public class Main implements Toile {
 
     /** Prépare la scène, puis appelle {@link Lancer#TracerImage} : c'est le travail du SwingWorker de la fenêtre. */
     public void doTracerImage(int largeur, int hauteur) {
-        dessin = new Dessin(demande.avecTaille(largeur, hauteur));
+        dessin = Dessin.preparer(demande.avecTaille(largeur, hauteur));
         suivi.accept(dessin);
         dessin.tracer(this);
     }

@@ -121,7 +121,7 @@ public final class Echantillon {
     private Couleur[] dessiner(Modele modele, int reflets) {
         Couleur[] couleurs = new Couleur[rangs.length];
         Lancer lancer = prepare.avec(modele);
-        lancer.Tracer((pave, voulus, vue, toile) -> {
+        lancer.getAtelier().dessiner((pave, voulus, vue, toile) -> {
             int[] siens = Arrays.stream(rangs).filter(p -> estDans(pave, p)).toArray();
             IntSummaryStatistics x = Arrays.stream(siens).map(p -> p % largeur).summaryStatistics();
             return siens.length == 0 ? Releve.RIEN : lancer.getEchantillonnage().tracer(pave, new Pave(x.getMin(),
@@ -132,7 +132,7 @@ public final class Echantillon {
                             couleurs[place] = couleur;
                         }
                     });
-        }, (couleur, xe, ye) -> { }, reflets, fils);
+        }, lancer.getVues(reflets), (couleur, xe, ye) -> { }, fils);
         rayons += lancer.getAtelier().getCompteurs().rayons();
         return couleurs;
     }

@@ -1,6 +1,5 @@
 package lancer.dessin;
 
-import java.io.PrintStream;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
@@ -8,11 +7,8 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.auto.Auto;
 import lancer.auto.Echelle;
-import lancer.auto.Mesure;
-import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
-import lancer.contrat.Compteurs;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.fils.Atelier;
@@ -28,7 +24,6 @@ public final class Dessin {
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
-    private static final double NS_PAR_MS = 1e6;
     private static final double NS_PAR_S = 1e9;
 
     public final Demande demande;
@@ -38,30 +33,37 @@ public final class Dessin {
     /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */
     public final String ecart;
     /** Celui qui a dessiné l'image en dernier : le même, ou celui d'autres réglages. */
-    private volatile Lancer dernier;
-    private Auto auto;
+    volatile Lancer dernier;
+    /** Ce que {@code --auto} choisit ; {@code null} sans lui. */
+    Auto auto;
     /** Le temps de la préparation, puis celui de chaque dessin, en nanosecondes. */
-    private final long preparationNs;
-    private long[] tracesNs;
+    final long preparationNs;
+    long[] tracesNs;
+
+    private Dessin(Demande demande, Lancer lancer, String ecart, long preparationNs) {
+        this.demande = demande;
+        this.lancer = lancer;
+        this.ecart = ecart;
+        this.preparationNs = preparationNs;
+        image = image(demande);
+        dernier = lancer;
+    }
 
     /**
-     * Prépare le dessin de cette demande.
+     * Prépare le dessin de cette demande : ce qui cherche les objets est construit, puis comparé à tous les objets.
      *
      * @throws CancellationException si ce fil est interrompu
      */
-    public Dessin(Demande demande) {
-        this.demande = demande;
-        image = image(demande);
+    public static Dessin preparer(Demande demande) {
         Scene scene = demande.getScene();
-        Camera camera = scene.getCamera(image.largeur, image.hauteur);
+        Camera camera = scene.getCamera(demande.largeur, demande.hauteur);
         long debut = System.nanoTime();
         Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
-        preparationNs = System.nanoTime() - debut;
+        long preparationNs = System.nanoTime() - debut;
         boolean cachait = preparee != scene && Regard.trouveUneReponseCachee(preparee, camera);
-        lancer = new Lancer(cachait ? scene : preparee, camera);
-        ecart = !cachait ? null : "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : "
-                + "ce sont les boucles sur tous les objets qui dessinent";
-        dernier = lancer;
+        String ecart = !cachait ? null : "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
+                + "questions : ce sont les boucles sur tous les objets qui dessinent";
+        return new Dessin(demande, new Lancer(cachait ? scene : preparee, camera), ecart, preparationNs);
     }
 
     /** L'image à dessiner, sans ce qu'un fichier ne demande pas. */
@@ -82,7 +84,8 @@ public final class Dessin {
     }
 
     /**
-     * Dessine ce qui est demandé sur cette toile, {@code --repeter} fois.
+     * Dessine ce qui est demandé sur cette toile, {@code --repeter} fois : l'image, ou une vue en fausses couleurs. Avec
+     * {@code --auto}, dessine avec les réglages qu'il choisit, puis mesure l'erreur de l'image.
      *
      * @throws Echec si un pixel ne peut être calculé, et si ce n'est pas toléré
      */
@@ -90,30 +93,30 @@ public final class Dessin {
         try {
             if (demande.vue != null) {
                 tracerLaVue(toile);
-            } else if (demande.reglages.estDonnee(Option.AUTO)) {
-                choisirEtTracer(toile);
-            } else {
-                tracer(demande.reglages, lancer, toile);
+                return;
             }
+            auto = demande.reglages.estDonnee(Option.AUTO) ? choisir() : null;
+            do {
+                Reglages reglages = auto == null ? demande.reglages : auto.getChoisi();
+                dernier = auto == null ? lancer : auto.getLancer();
+                // une fenêtre montre un seul dessin
+                tracesNs = new long[reglages.sansFenetre() ? reglages.get(Option.REPETER) : 1];
+                for (int k = 0; k < tracesNs.length; k++) {
+                    dernier.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
+                    tracesNs[k] = dernier.getAtelier().getDureeNs();
+                }
+            } while (auto != null && !auto.controler(image::getCouleur));
         } catch (PixelFautif e) {
             throw demande.nommer(e);
         }
     }
 
-    /** Dessine l'image de la scène préparée, selon ces autres réglages. @return le temps du dernier dessin */
+    /** Dessine l'image de la scène préparée, selon ces autres réglages. @return le temps du dessin, en nanosecondes */
     public long tracer(Reglages autres, Toile toile) {
-        tracer(autres, lancer.avec(autres.getModele()), toile);
-        return dernier.getAtelier().getDureeNs();
-    }
-
-    private void tracer(Reglages reglages, Lancer celui, Toile toile) {
-        dernier = celui;
-        // une fenêtre montre un seul dessin
-        tracesNs = new long[demande.reglages.sansFenetre() ? reglages.get(Option.REPETER) : 1];
-        for (int k = 0; k < tracesNs.length; k++) {
-            celui.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
-            tracesNs[k] = celui.getAtelier().getDureeNs();
-        }
+        dernier = lancer.avec(autres.getModele());
+        dernier.TracerImage(toile, autres.getProfondeur(), autres.get(Option.FILS));
+        tracesNs = new long[] {dernier.getAtelier().getDureeNs()};
+        return tracesNs[0];
     }
 
     private void tracerLaVue(Toile toile) {
@@ -127,14 +130,10 @@ public final class Dessin {
         tracesNs = new long[] {lancer.getAtelier().getDureeNs()};
     }
 
-    /** Dessine avec les réglages que {@code --auto} choisit, puis mesure l'erreur de l'image. */
-    private void choisirEtTracer(Toile toile) {
+    private Auto choisir() {
         Reglages options = demande.reglages;
-        auto = new Auto(lancer, Echelle.de(demande.reglages, options.estDonnee(Option.REFLETS),
-                options.estDonnee(Option.SEUIL)), options.get(Option.AUTO), options.get(Option.FILS));
-        do {
-            tracer(auto.getChoisi(), auto.getLancer(), toile);
-        } while (!auto.controler(image::getCouleur));
+        return new Auto(lancer, Echelle.de(options, options.estDonnee(Option.REFLETS), options.estDonnee(Option.SEUIL)),
+                options.get(Option.AUTO), options.get(Option.FILS));
     }
 
     /** Voir {@link Atelier#seRegardeDeuxFois}. Une image qui n'est pas celle dessinée est regardée une première fois. */
@@ -144,7 +143,8 @@ public final class Dessin {
         }
         Lancer autre = lancer.avec(demande.reglages.getModele());
         autre.getAtelier().getFautes().tolerer();
-        return autre.regarder(demande.reglages.getProfondeur(), demande.reglages.get(Option.FILS));
+        return autre.getAtelier().regarder(autre.getEchantillonnage(), autre.getVues(demande.reglages.getProfondeur()),
+                demande.reglages.get(Option.FILS));
     }
 
     /** La part dessinée de l'image en cours, de 0 à 1. */
@@ -152,49 +152,10 @@ public final class Dessin {
         return dernier.getAtelier().getAvancement();
     }
 
-    /** Dit ce qu'il faut de ce dessin achevé : statistiques demandées, réglages choisis, {@link #ecart}. */
-    public Dessin rapporter(PrintStream sortie, PrintStream erreur) {
-        if (demande.reglages.get(Option.STATISTIQUES)) {
-            Messages.repondre(getStatistiques(), sortie);
-        }
-        if (auto != null) {
-            String mesure = auto.getMesure().enMots() + (auto.getMesure().rienVu ? "" : " ; " + auto.getVerdict());
-            Messages.avertir("auto, choisi : " + Echelle.dire(auto.getChoisi()), erreur);
-            Messages.avertir("auto, mesuré : " + mesure, erreur);
-        }
-        if (ecart != null) {
-            Messages.avertir(ecart, erreur);
-        }
-        return this;
-    }
-
     /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine insécable manque à beaucoup de polices
         return String.format(Locale.FRANCE, "%,d rayons en %.2f s", dernier.getAtelier().getCompteurs().rayons(),
                 dernier.getAtelier().getDureeNs() / NS_PAR_S).replace('\u202F', '\u00A0');
-    }
-
-    /**
-     * Texte de {@code --statistiques} : compteurs d'un dessin, temps, choix de {@code --auto}. Les nombres ont un point
-     * décimal, sans séparateur de milliers ni exposant, quelle que soit la langue de la machine.
-     */
-    private String getStatistiques() {
-        Compteurs c = dernier.getAtelier().getCompteurs();
-        double traceNs = new Durees(tracesNs).getMediane();
-        String texte = String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
-                + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
-                + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
-                c.pixelsRaffines, demande.lue.getDureeNs() / NS_PAR_MS, preparationNs / NS_PAR_MS,
-                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / NS_PAR_S)));
-        if (auto == null) {
-            return texte;
-        }
-        Mesure mesure = auto.getMesure();
-        String incertitude = mesure.rienVu ? ""
-                : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
-        return texte + String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d",
-                mesure.erreur, incertitude, auto.getRayonsDesEssais());
     }
 }

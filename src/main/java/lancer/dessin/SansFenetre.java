@@ -41,14 +41,29 @@ public final class SansFenetre {
 
     /** Exécute la demande de ces options. @return le statut de sortie : 1 si les images comparées diffèrent */
     public int faire() {
-        if (options.estDonnee(Option.COMPARER)) {
-            return comparer();
-        }
         if (options.estDonnee(Option.PIXEL)) {
             expliquerUnPixel();
-        } else {
-            dessinerDansDesFichiers();
+            return 0;
         }
+        List<Ecriture<ImageMemoire>> fichiers = fichiers();
+        ImageMemoire reference =
+                options.estDonnee(Option.COMPARER) ? LectureImage.lire(options.get(Option.COMPARER)) : null;
+        if (compareDeuxFichiers()) {
+            return comparer(LectureImage.lire(options.scene), reference, fichiers);
+        }
+        Demande lue = lire();
+        Demande demande = reference == null ? lue : lue.avecTaille(reference.largeur, reference.hauteur);
+        Dessin dessin;
+        try (BarreProgression barre = new BarreProgression(erreur)) {
+            dessin = programme.dessiner(demande, commence -> barre.suivre(commence::getAvancement));
+        }
+        if (reference != null) {
+            Rapport.dire(dessin, sortie, erreur);
+            return comparer(dessin.image, reference, fichiers);
+        }
+        Ecriture.ecrire(dessin.image, fichiers);
+        Rapport.dire(dessin, sortie, erreur);
+        avertir(demande);
         return 0;
     }
 
@@ -56,19 +71,9 @@ public final class SansFenetre {
         return new Demande(programme.lire(options.scene, part -> { }), options);
     }
 
-    private void dessinerDansDesFichiers() {
-        List<Ecriture<ImageMemoire>> fichiers = fichiers();
-        Dessin dessin = dessiner(lire());
-        Ecriture.ecrire(dessin.image, fichiers);
-        dessin.rapporter(sortie, erreur);
-        // les avertissements n'ont de sens que si le reste a réussi
-        dessin.demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
-    }
-
-    private Dessin dessiner(Demande demande) {
-        try (BarreProgression barre = new BarreProgression(erreur)) {
-            return programme.dessiner(demande, dessin -> barre.suivre(dessin::getAvancement));
-        }
+    /** Dit ce que la lecture de la scène a ignoré, ce qui n'a de sens que si le reste a réussi. */
+    private void avertir(Demande demande) {
+        demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
     }
 
     /** Les fichiers demandés. @throws lancer.systeme.Echec si l'un d'eux ne peut être écrit */
@@ -107,22 +112,18 @@ public final class SansFenetre {
         Couple ou = options.get(Option.PIXEL);
         Inspection pixel = new Inspection(scene, demande.lue::getOrigine,
                 scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), ou.x, ou.y);
-        pixel.faire(() -> new Dessin(demande).seRegardeDeuxFois());
+        pixel.faire(() -> Dessin.preparer(demande).seRegardeDeuxFois());
         if (pixel.getFaute() != null) {
             throw demande.nommer(pixel.getFaute());
         }
         List<String> lignes = new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
         Messages.repondre(Console.recit(String.join(System.lineSeparator(), lignes)), Console.pourUnRecit(sortie));
-        demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
+        avertir(demande);
     }
 
-    /** Compare deux images, et écrit celle des différences si elle est demandée. */
-    private int comparer() {
-        List<Ecriture<ImageMemoire>> fichiers = fichiers();
-        ImageMemoire attendue = LectureImage.lire(options.get(Option.COMPARER));
-        ImageMemoire autre = compareDeuxFichiers() ? LectureImage.lire(options.scene)
-                : dessiner(lire().avecTaille(attendue.largeur, attendue.hauteur)).rapporter(sortie, erreur).image;
-        Comparaison comparaison = new Comparaison(autre, attendue, options.get(Option.TOLERANCE),
+    /** Compare ces images, et écrit celle de leurs différences si elle est demandée. @return 1 si elles diffèrent */
+    private int comparer(ImageMemoire image, ImageMemoire reference, List<Ecriture<ImageMemoire>> fichiers) {
+        Comparaison comparaison = new Comparaison(image, reference, options.get(Option.TOLERANCE),
                 options.get(Option.PART));
         if (!fichiers.isEmpty()) {
             Ecriture.ecrire(comparaison.peindreLesEcarts(), fichiers);

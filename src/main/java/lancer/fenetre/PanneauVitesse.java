@@ -101,7 +101,7 @@ final class PanneauVitesse extends JPanel {
 
         @Override
         protected Void doInBackground() {
-            Dessin prepare = new Dessin(montre.demande.avecVue(null));
+            Dessin prepare = Dessin.preparer(montre.demande.avecVue(null));
             // les bords se cherchent dans l'image, et non dans une vue
             IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
                     : rang -> Constantes.CIEL;

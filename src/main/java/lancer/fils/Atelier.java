@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -24,8 +23,7 @@ import lancer.contrat.Vue;
  */
 public final class Atelier {
 
-    private final int largeur;
-    private final int hauteur;
+    private final List<Pave> paves;
     private final Equipe equipe = new Equipe();
     private final Fautes fautes;
     /** Le dernier relevé de chaque pavé, du dessin en cours ou du dernier ; {@code null} s'il n'est pas encore vu. */
@@ -35,8 +33,7 @@ public final class Atelier {
 
     /** @param largeur celle de l'image, en pixels ; de même sa hauteur */
     public Atelier(int largeur, int hauteur) {
-        this.largeur = largeur;
-        this.hauteur = hauteur;
+        paves = Pave.battus(largeur, hauteur);
         fautes = new Fautes(largeur);
     }
 
@@ -50,10 +47,11 @@ public final class Atelier {
      */
     public void dessiner(Echantillonnage echantillonnage, Supplier<Vue> vues, Toile toile, int fils) {
         long debut = System.nanoTime();
-        List<Vue> siennes = Stream.generate(vues).limit(fils).collect(Collectors.toList());
-        regarder(echantillonnage, siennes, toile);
+        List<Vue> siennes = creer(vues, fils);
+        equipe.faire(travaux(echantillonnage, siennes, toile));
         if (seRegardeDeuxFois()) {
-            regarder(echantillonnage, siennes.stream().map(Vue::seconde).collect(Collectors.toList()), toile);
+            equipe.faire(travaux(echantillonnage, siennes.stream().map(Vue::seconde).collect(Collectors.toList()),
+                    toile));
         }
         Compteurs comptes = new Compteurs();
         siennes.forEach(vue -> comptes.ajouter(vue.compteurs()));
@@ -68,22 +66,28 @@ public final class Atelier {
      * @return {@link #seRegardeDeuxFois}
      */
     public boolean regarder(Echantillonnage echantillonnage, Supplier<Vue> vues, int fils) {
-        regarder(echantillonnage, Stream.generate(vues).limit(fils).collect(Collectors.toList()), (couleur, i, j) -> { });
+        equipe.faire(travaux(echantillonnage, creer(vues, fils), (couleur, i, j) -> { }));
         return seRegardeDeuxFois();
     }
 
-    /** Dessine tous les pavés, ou ceux que les secondes vues revoient. @param vues une par fil */
-    private void regarder(Echantillonnage echantillonnage, List<Vue> vues, Toile toile) {
-        List<Pave> paves = Pave.battus(largeur, hauteur);
+    /** Une vue par fil, et pas plus de fils que de pavés. */
+    private List<Vue> creer(Supplier<Vue> vues, int fils) {
+        return Stream.generate(vues).limit(Math.min(fils, paves.size())).collect(Collectors.toList());
+    }
+
+    /** Le travail de chaque fil : dessiner les pavés qu'il prend, ou ceux que sa seconde vue revoit. */
+    private List<Runnable> travaux(Echantillonnage echantillonnage, List<Vue> vues, Toile toile) {
         boolean seconde = vues.get(0).estSeconde();
         AtomicReferenceArray<Releve> neufs = seconde ? releves : new AtomicReferenceArray<>(paves.size());
         releves = neufs;
         int[] rangs = IntStream.range(0, paves.size()).filter(k -> !seconde || neufs.get(k).aRevoir).toArray();
-        equipe.faire(rangs.length, vues.stream().map(vue -> (IntConsumer) tache -> {
-            Pave pave = paves.get(rangs[tache]);
-            neufs.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
-            fautes.peindre(pave, toile);
-        }).collect(Collectors.toList()));
+        return vues.stream().map(vue -> (Runnable) () -> {
+            for (int tache = equipe.prendre(); tache < rangs.length; tache = equipe.prendre()) {
+                Pave pave = paves.get(rangs[tache]);
+                neufs.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
+                fautes.peindre(pave, toile);
+            }
+        }).collect(Collectors.toList());
     }
 
     private Stream<Releve> vus() {

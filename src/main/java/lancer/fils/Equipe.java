@@ -10,7 +10,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.IntConsumer;
 
 /**
  * Des fils qui se partagent des tâches numérotées : chaque fil prend la première tâche libre. Le premier échec, ou
@@ -23,28 +22,23 @@ public final class Equipe {
     private static final long PILE = 16 << 20;
 
     private final AtomicInteger suivante = new AtomicInteger();
-    private final AtomicInteger faites = new AtomicInteger();
-    private volatile int nombre = 1;
     private volatile boolean arretee;
 
-    /** Exécute ce travail dans un fil. Voir {@link #faire(int, List)}. */
+    /** Exécute ce travail dans un fil. Voir {@link #faire(List)}. */
     public void faire(Runnable travail) {
-        faire(1, Collections.singletonList(tache -> travail.run()));
+        faire(Collections.singletonList(travail));
     }
 
     /**
-     * Exécute les tâches de 0 à {@code taches} − 1, et attend la fin des fils.
+     * Exécute chacun de ces travaux dans un fil, et attend leur fin. Ils se partagent les tâches, à partir de 0.
      *
-     * @param ouvriers le travail de chaque fil sur une tâche
      * @throws CancellationException si le fil appelant est interrompu (il le reste), ou après un arrêt
      */
-    public void faire(int taches, List<? extends IntConsumer> ouvriers) {
+    public void faire(List<? extends Runnable> travaux) {
         obeir();
-        nombre = taches;
         suivante.set(0);
-        faites.set(0);
         AtomicInteger crees = new AtomicInteger();
-        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(), travail -> {
+        ExecutorService fils = Executors.newFixedThreadPool(travaux.size(), travail -> {
             Thread fil = new Thread(null, travail, "lancer-" + crees.incrementAndGet(), PILE);
             fil.setDaemon(true);
             return fil;
@@ -52,10 +46,10 @@ public final class Equipe {
         CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {
-            for (IntConsumer ouvrier : ouvriers) {
-                finis.submit(() -> prendreLesTaches(ouvrier), null);
+            for (Runnable travail : travaux) {
+                finis.submit(travail, null);
             }
-            for (int k = 0; k < ouvriers.size(); k++) {
+            for (int k = 0; k < travaux.size(); k++) {
                 finis.take().get();
             }
             acheve = true;
@@ -74,12 +68,10 @@ public final class Equipe {
         }
     }
 
-    private void prendreLesTaches(IntConsumer ouvrier) {
-        for (int k = suivante.getAndIncrement(); k < nombre; k = suivante.getAndIncrement()) {
-            obeir();
-            ouvrier.accept(k);
-            faites.incrementAndGet();
-        }
+    /** Le numéro de la première tâche que nul n'a prise. @throws CancellationException si l'équipe est arrêtée */
+    public int prendre() {
+        obeir();
+        return suivante.getAndIncrement();
     }
 
     /** Attend la fin de ces fils, une seconde au plus ; l'interruption du fil appelant est gardée pour la suite. */
@@ -100,10 +92,5 @@ public final class Equipe {
         if (arretee) {
             throw new CancellationException("travail arrêté");
         }
-    }
-
-    /** La part des tâches faites du travail en cours ou, à défaut, du dernier, de 0 à 1. */
-    public double getAvancement() {
-        return (double) faites.get() / nombre;
     }
 }

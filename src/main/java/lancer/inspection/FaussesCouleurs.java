@@ -74,18 +74,18 @@ public final class FaussesCouleurs {
 
     private void dessinerLesNormales() {
         legender("N = %.4f %.4f %.4f", "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
-        lancer.Tracer(parContact((scene, contact) -> {
+        tracer(parContact((scene, contact) -> {
             Vecteur N = contact.objet.getNormale(contact);
             return new Couleur(N.x, N.y, N.z);
-        }), (N, x, y) -> image.drawPixel(N.add(new Couleur(1)).div(2), N, x, y), profondeur, fils);
+        }), (N, x, y) -> image.drawPixel(N.add(new Couleur(1)).div(2), N, x, y));
     }
 
     private void dessinerLesLampes() {
         int toutes = lancer.getScene().getLampes().size();
         legender("lampes : %.0f", "vue lampes : lampes qui éclairent, noir : aucune, blanc : " + toutes + " sur "
                 + toutes + " ; ciel noir");
-        lancer.Tracer(parContact(FaussesCouleurs::compterLesLampes),
-                (n, x, y) -> image.drawPixel(n.div(Math.max(1, toutes)), n, x, y), profondeur, fils);
+        tracer(parContact(FaussesCouleurs::compterLesLampes),
+                (n, x, y) -> image.drawPixel(n.div(Math.max(1, toutes)), n, x, y));
     }
 
     /** Du blanc au gris sombre, selon le rang de la distance : un horizon n'éclaircit pas le reste. */
@@ -115,10 +115,9 @@ public final class FaussesCouleurs {
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
                 + "orange : 2 à 4, blanc : l'arrondi suffit");
-        lancer.Tracer((pave, voulus, vue, toile) ->
+        tracer((pave, voulus, vue, toile) ->
                 Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile),
-                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y),
-                profondeur, fils);
+                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y));
     }
 
     /** @param format celui du texte des nombres d'un pixel @param legende une ligne */
@@ -127,10 +126,14 @@ public final class FaussesCouleurs {
         image.echelle = legende;
     }
 
+    private void tracer(Echantillonnage echantillonnage, Toile toile) {
+        lancer.getAtelier().dessiner(echantillonnage, lancer.getVues(profondeur), toile, fils);
+    }
+
     /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs ; la somme, si un pixel est vu deux fois. */
     private double[] nombrer(Echantillonnage echantillonnage) {
         double[] nombres = new double[image.largeur * image.hauteur];
-        lancer.Tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] += n.r, profondeur, fils);
+        tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] += n.r);
         return nombres;
     }
 

@@ -77,7 +77,7 @@ class AutoTest {
         int largeur = auto.getLancer().getCamera().getLargeur();
         Couleur[] image = new Couleur[largeur * auto.getLancer().getCamera().getHauteur()];
         do {
-            auto.getLancer().TracerPixels((couleur, i, j) -> image[j * largeur + i] = couleur, auto.getChoisi().getProfondeur(), 2);
+            auto.getLancer().TracerImage((couleur, i, j) -> image[j * largeur + i] = couleur, auto.getChoisi().getProfondeur(), 2);
         } while (!auto.controler(rang -> image[rang]));
         return image;
     }
@@ -214,7 +214,7 @@ class AutoTest {
     void unSeulPixelFauxParmiTrenteMilleEstVu() {
         Lancer prepare = Dessin.lancer(CIEL, 200, 150, false);
         Couleur[] image = new Couleur[200 * 150];
-        prepare.TracerPixels((couleur, i, j) -> image[j * 200 + i] = couleur, 0, 2);
+        prepare.TracerImage((couleur, i, j) -> image[j * 200 + i] = couleur, 0, 2);
         Couleur juste = image[12_345];
         image[12_345] = new Couleur(loin(juste.r), loin(juste.v), loin(juste.b));
         Mesure mesure = echantillon(prepare, rang -> image[rang], 1).mesurer(rang -> image[rang]);

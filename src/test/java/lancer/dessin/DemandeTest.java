@@ -70,15 +70,15 @@ class DemandeTest {
     @Test
     void deuxDessinsDUneDemandeOntLaMemeImageEtDAutresReglagesNeRepreparentPas() {
         Demande demande = demande("--taille=40x30");
-        Dessin un = new Dessin(demande);
-        Dessin deux = new Dessin(demande.avecReglages(demande.reglages.avec(Option.FILS, 1)));
+        Dessin un = Dessin.preparer(demande);
+        Dessin deux = Dessin.preparer(demande.avecReglages(demande.reglages.avec(Option.FILS, 1)));
         un.tracer(un.image);
         deux.tracer(deux.image);
         assertNotSame(un.image, deux.image);
         assertArrayEquals(un.image.codes, deux.image.codes);
         int[] avecReflets = un.image.codes.clone();
         un.tracer(demande.reglages.avec(Option.REFLETS, 0), un.image);
-        Dessin mat = new Dessin(demande("--taille=40x30", "--reflets=0"));
+        Dessin mat = Dessin.preparer(demande("--taille=40x30", "--reflets=0"));
         mat.tracer(mat.image);
         assertArrayEquals(mat.image.codes, un.image.codes);
         assertFalse(Arrays.equals(avecReflets, un.image.codes), "l'image a changé");
@@ -91,7 +91,7 @@ class DemandeTest {
             Demande demande = demande("--taille=40x30", "--fils=1");
             int[] pixels = new int[1];
             List<Integer> fini = new ArrayList<>();
-            new Dessin(demande).tracer(new Toile() {
+            Dessin.preparer(demande).tracer(new Toile() {
                 @Override
                 public void drawPixel(Couleur coul, int xe, int ye) {
                     pixels[0]++;
@@ -125,7 +125,7 @@ class DemandeTest {
         float[] programme = Essai.dessiner(dossier, Paths.get(SCENE), "--taille=64x48", simple ? "--simple" : "--fils=2");
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE);
-        Dessin.lancer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        Dessin.lancer(scene, 64, 48, simple).TracerImage(image, Constantes.MAX_REFLETS, 2);
         for (int k = 0; k < programme.length; k++) {
             // un fichier PFM commence par la ligne du bas
             assertEquals(programme[(47 - k / 192) * 192 + k % 192], image.lineaire[k], "pixel " + k / 3);

@@ -70,7 +70,7 @@ class DiagnosticTest {
         Modele.Construction modele = new Modele.Construction();
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele.construire());
-        PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
+        PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerImage((c, i, j) -> { }, 2, 1));
         return Cause.dire(panne).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }

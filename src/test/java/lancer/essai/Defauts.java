@@ -240,7 +240,7 @@ public final class Defauts {
     private void noter(String nom, Scene scene, int reflets, Vue naive, Vue juste) {
         Couleur[] image = new Couleur[cote * cote];
         new Lancer(scene.avec(scene.getModele().avecSeuil(0)), new Camera(cote, cote))
-                .TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, reflets, 1);
+                .TracerImage((couleur, i, j) -> image[cote * j + i] = couleur, reflets, 1);
         defauts.add(new Defaut(nom, cote, image(juste), image(naive), image));
     }
 

@@ -103,7 +103,7 @@ public final class Ressources {
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
-        new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        new Lancer(scene, new Camera(largeur, hauteur)).TracerImage(image, reflets, fils);
         return image;
     }
 

@@ -83,7 +83,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("elle est là", () -> banc.cadre.getIconImages().size() == 4);
         Lancer lancer = new Lancer(new Scene("scenes/scene1.ini"), new Camera(128, 128));
         ImageMemoire dessinee = new ImageMemoire(128, 128, false);
-        lancer.TracerPixels(dessinee, Constantes.MAX_REFLETS, 1);
+        lancer.TracerImage(dessinee, Constantes.MAX_REFLETS, 1);
         BufferedImage icone = new BufferedImage(128, 128, BufferedImage.TYPE_INT_RGB);
         icone.createGraphics().drawImage(banc.cadre.getIconImages().get(3), 0, 0, null);
         int proches = 0;

@@ -12,6 +12,7 @@ import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
+import lancer.dessin.Rapport;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
@@ -94,7 +95,8 @@ class MainLent implements Programme {
                 peindre(ye, () -> super.drawPixel(coul, xe, ye));
             }
         }.doTracerImage(demande.largeur, demande.hauteur);
-        return dernier.rapporter(BancFenetre.flux(sortie), BancFenetre.flux(erreur));
+        Rapport.dire(dernier, BancFenetre.flux(sortie), BancFenetre.flux(erreur));
+        return dernier;
     }
 
     /** Le dernier dessin commencé, {@code null} s'il se prépare. */

@@ -23,7 +23,7 @@ class EquipeTest {
         CountDownLatch fin = new CountDownLatch(1);
         try {
             Equipe equipe = new Equipe();
-            assertThrows(IllegalStateException.class, () -> equipe.faire(2, Arrays.asList(k -> attendreSourd(fin), k -> {
+            assertThrows(IllegalStateException.class, () -> equipe.faire(Arrays.asList(() -> attendreSourd(fin), () -> {
                 throw new IllegalStateException("la cause");
             })));
             assertThrows(CancellationException.class, () -> equipe.faire(() -> { }));
@@ -39,12 +39,15 @@ class EquipeTest {
         AtomicInteger prises = new AtomicInteger();
         Thread appelant = Thread.currentThread();
         Equipe equipe = new Equipe();
-        assertThrows(CancellationException.class, () -> equipe.faire(3, Collections.singletonList(k -> {
+        assertThrows(CancellationException.class, () -> equipe.faire(() -> {
+            equipe.prendre();
             prises.incrementAndGet();
             abandonne.set(Thread.currentThread());
             appelant.interrupt();
             attendreSourd(fin);
-        })));
+            equipe.prendre();
+            prises.incrementAndGet();
+        }));
         assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         fin.countDown();
         abandonne.get().join();
@@ -53,12 +56,15 @@ class EquipeTest {
     }
 
     @Test
-    void chaqueTacheEstFaiteUneFoisEtLAvancementFinitAUn() {
+    void chaqueTacheEstPriseUneFois() {
         AtomicInteger somme = new AtomicInteger();
         Equipe equipe = new Equipe();
-        equipe.faire(1000, Collections.nCopies(3, somme::addAndGet));
+        equipe.faire(Collections.nCopies(3, () -> {
+            for (int tache = equipe.prendre(); tache < 1000; tache = equipe.prendre()) {
+                somme.addAndGet(tache);
+            }
+        }));
         assertEquals(999 * 1000 / 2, somme.get());
-        assertEquals(1, equipe.getAvancement());
     }
 
     private static void attendreSourd(CountDownLatch fin) {

@@ -79,7 +79,7 @@ class FautesTest {
             Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele.construire()),
                     new Camera(4, 3));
             lancer.getAtelier().getFautes().tolerer();
-            assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerPixels((couleur, i, j) -> { }, 0, 2)));
+            assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerImage((couleur, i, j) -> { }, 0, 2)));
             assertNull(lancer.getAtelier().getFautes().enMots());
         }
     }

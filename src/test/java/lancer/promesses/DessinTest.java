@@ -105,7 +105,7 @@ class DessinTest {
             }
         }, 5, 2);
         Ressources.Image attendueEntiere = new Ressources.Image(largeur, hauteur);
-        new Lancer(scene, camera).TracerPixels(attendueEntiere, 5, 1);
+        new Lancer(scene, camera).TracerImage(attendueEntiere, 5, 1);
         assertArrayEquals(attendueEntiere.composantes, image.composantes, "l'image vient après, avec toutes ses réflexions");
         for (int j = 0; j < hauteur; j++) {
             for (int i = 0; i < largeur; i++) {
@@ -136,7 +136,7 @@ class DessinTest {
         Lancer lancer = new Lancer(scene, new Camera(64, 64));
         Thread appelant = Thread.currentThread();
         int[] pixels = new int[1];
-        assertThrows(CancellationException.class, () -> lancer.TracerPixels((coul, xe, ye) -> {
+        assertThrows(CancellationException.class, () -> lancer.TracerImage((coul, xe, ye) -> {
             pixels[0]++;
             appelant.interrupt();
             // ce fil est interrompu quand son équipe est arrêtée

@@ -90,7 +90,7 @@ class EgalitesTest {
                 Camera camera = new CameraAgrandie(taille);
                 Scene grosse = deplacee(scene, p -> fois(p, taille), taille);
                 Ressources.Image lisible = new Ressources.Image(64, 48);
-                new Lancer(grosse, camera).TracerPixels(lisible, 5, 2);
+                new Lancer(grosse, camera).TracerImage(lisible, 5, 2);
                 assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);
                 assertTrue(memesBits(attendue, imageRapide(grosse, camera, 5)), nom + " fois 2^" + k + ", recherche rapide");
             }

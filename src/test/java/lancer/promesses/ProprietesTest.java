@@ -111,7 +111,7 @@ class ProprietesTest {
                     Arrays.asList(new Lampe(point(Math.pow(10, 200 * hasard.nextDouble() - 100)), new Couleur(1e6)),
                             new Lampe(boules[1].getCentre(), new Couleur(1e6))));
             Ressources.Image image = new Ressources.Image(9, 9);
-            new Lancer(scene, new Camera(9, 9)).TracerPixels(image, 20, 1);
+            new Lancer(scene, new Camera(9, 9)).TracerImage(image, 20, 1);
             assertEquals(0, image.ecart(image), "tirage " + k);
         }
     }

@@ -183,7 +183,7 @@ class IdentiteTest {
             largeur = camera.getLargeur();
             pixels = new Couleur[largeur * camera.getHauteur()];
             Lancer lancer = new Lancer(scene, camera);
-            lancer.TracerPixels((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
+            lancer.TracerImage((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
             compteurs = lancer.getAtelier().getCompteurs();
         }
 

@@ -49,7 +49,7 @@ class OeilDeplaceTest {
                 Camera camera = k == 0 ? new Camera(LARGEUR, HAUTEUR) : tourner(degres);
                 Lancer traceur = new Lancer(Structuree.scene(scene, camera), camera);
                 images[k] = new Ressources.Image(LARGEUR, HAUTEUR);
-                traceur.TracerPixels(images[k], 3, 1 + 2 * k);
+                traceur.TracerImage(images[k], 3, 1 + 2 * k);
                 examens[k] = ComptesTest.cout(traceur.getAtelier().getCompteurs());
             }
             for (int k = 0; k < images[0].composantes.length; k++) {
@@ -93,7 +93,7 @@ class OeilDeplaceTest {
                 Camera camera = k == 0 ? new Camera(LARGEUR, HAUTEUR)
                         : new CameraDeplacee(LARGEUR, HAUTEUR, new Point(0, 0, -4.2), 0);
                 Lancer traceur = new Lancer(Structuree.scene(scene, camera), camera);
-                traceur.TracerPixels((couleur, i, j) -> { }, 0, 1);
+                traceur.TracerImage((couleur, i, j) -> { }, 0, 1);
                 noeuds[k] = traceur.getAtelier().getCompteurs().noeudsVisites;
             }
             assertTrue(noeuds[1] < 1.2 * noeuds[0], noeuds[1] + " nœuds au lieu de " + noeuds[0]);

@@ -18,7 +18,7 @@ public final class Structuree {
     /** L'image de cette scène, par les structures. */
     public static Ressources.Image imageRapide(Scene scene, Camera camera, int reflets) {
         Ressources.Image image = new Ressources.Image(camera.getLargeur(), camera.getHauteur());
-        new Lancer(scene(scene, camera), camera).TracerPixels(image, reflets, 2);
+        new Lancer(scene(scene, camera), camera).TracerImage(image, reflets, 2);
         return image;
     }
 }

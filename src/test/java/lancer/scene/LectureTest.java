@@ -126,7 +126,7 @@ class LectureTest {
 
     private static Ressources.Image dessin(Scene scene) {
         Ressources.Image image = new Ressources.Image(40, 30);
-        new Lancer(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
+        new Lancer(scene, new Camera(40, 30)).TracerImage(image, 5, 1);
         return image;
     }
 

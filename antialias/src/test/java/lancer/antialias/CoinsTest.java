@@ -72,7 +72,7 @@ class CoinsTest {
     private static Compteurs compteurs(List<Sphere> spheres, int n, double seuil) {
         Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(n, seuil), Constantes.SEUIL)), new Camera(40, 30));
-        lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
+        lancer.TracerImage((couleur, i, j) -> { }, 5, 2);
         return lancer.getAtelier().getCompteurs();
     }
 

@@ -95,7 +95,7 @@ class LimitesAntialiasTest {
         for (Scene s : new Scene[] {scene, new Scene(scene.getObjets(), Collections.emptyList())}) {
             somme[0] = -somme[0];
             new Lancer(s.avec(s.getModele().avec(methode, 0)), new Camera(12, 12))
-                    .TracerPixels((couleur, i, j) -> somme[0] += couleur.v, 0, 1);
+                    .TracerImage((couleur, i, j) -> somme[0] += couleur.v, 0, 1);
         }
         return -somme[0];
     }

@@ -150,7 +150,7 @@ class PartageTest {
         Scene scene = new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
         double[] image = new double[60 * 45];
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
-        lancer.TracerPixels((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
+        lancer.TracerImage((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
         compteurs.ajouter(lancer.getAtelier().getCompteurs());
         return image;
     }
@@ -183,7 +183,7 @@ class PartageTest {
     private static double[] rouges(Scene scene, Echantillonnage echantillonnage, long[] rayons) {
         double[] rouges = new double[L * H];
         Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
-        traceur.TracerPixels((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
+        traceur.TracerImage((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
         rayons[0] = traceur.getAtelier().getCompteurs().primaires;
         return rouges;
     }
@@ -208,7 +208,7 @@ class PartageTest {
         Echantillonnage partage = new Partage(8, 0.06);
         Scene prete = scene.avec(scene.getModele().avec(partage, 0));
         Couleur[] entiere = new Couleur[L * H];
-        new Lancer(prete, camera).TracerPixels((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
+        new Lancer(prete, camera).TracerImage((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
         Vue vue = (xe, ye) -> new Lancer(prete, camera).getCouleurPixel(xe, ye, 0);
         for (int k = 0; k < L * H; k += 37) {
             int i = k % L;

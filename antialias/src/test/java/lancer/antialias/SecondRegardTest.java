@@ -61,7 +61,7 @@ class SecondRegardTest {
 
     private static Couleur[] dessiner(Lancer lancer, int fils) {
         Couleur[] image = new Couleur[L * H];
-        lancer.TracerPixels((couleur, i, j) -> image[L * j + i] = couleur, PROFONDEUR, fils);
+        lancer.TracerImage((couleur, i, j) -> image[L * j + i] = couleur, PROFONDEUR, fils);
         return image;
     }
 
@@ -124,7 +124,8 @@ class SecondRegardTest {
         }
         int cachee = 17 * L + Pave.COTE + 16;
         Inspection pixel = new Inspection(lancer.getScene(), chose -> null, lancer.getCamera(), PROFONDEUR, cachee % L, cachee / L);
-        pixel.faire(() -> lancer.avec(lancer.getScene().getModele()).regarder(PROFONDEUR, 2));
+        Lancer autre = lancer.avec(lancer.getScene().getModele());
+        pixel.faire(() -> autre.getAtelier().regarder(autre.getEchantillonnage(), autre.getVues(PROFONDEUR), 2));
         assertEquals(image[cachee], pixel.getCouleur(), "sans image, un premier regard suffit");
         pixel.faire(() -> false);
         assertFalse(image[cachee].equals(pixel.getCouleur()), "une fois ne suffit pas");
@@ -148,7 +149,7 @@ class SecondRegardTest {
     void lAvancementNeRecommencePasEtFinitAvecLeSecondRegard() {
         Lancer lancer = lancer(isolees());
         List<Double> suite = new ArrayList<>();
-        lancer.TracerPixels((couleur, i, j) -> suite.add(lancer.getAtelier().getAvancement()), PROFONDEUR, 1);
+        lancer.TracerImage((couleur, i, j) -> suite.add(lancer.getAtelier().getAvancement()), PROFONDEUR, 1);
         assertTrue(suite.size() > L * H, "des pavés sont dessinés deux fois");
         assertTrue(suite.get(suite.size() - 1) < 1);
         assertEquals(1, lancer.getAtelier().getAvancement());

@@ -71,7 +71,7 @@ class AutoAntialiasTest {
         for (Reglages echelon : echelle) {
             Mesure essai = tires.essayer(echelon);
             Lancer lancer = prepare.avec(echelon.getModele());
-            lancer.TracerPixels((couleur, i, j) -> image[j * 80 + i] = couleur, echelon.getProfondeur(), 2);
+            lancer.TracerImage((couleur, i, j) -> image[j * 80 + i] = couleur, echelon.getProfondeur(), 2);
             assertEquals(tires.mesurer(rang -> image[rang]).erreur, essai.erreur, echelon.toString());
             assertTrue(essai.plus(-1) <= avant, echelon + " : " + essai.erreur + " après " + avant);
             assertTrue(lancer.getAtelier().getCompteurs().rayons() > rayons, echelon.toString());

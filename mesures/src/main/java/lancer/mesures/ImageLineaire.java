@@ -22,7 +22,7 @@ public final class ImageLineaire implements Toile {
     /** L'image que dessine {@code lancer} ; elle ne dépend pas du nombre de fils. */
     public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
         ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
-        lancer.TracerPixels(image, profondeur, fils);
+        lancer.TracerImage(image, profondeur, fils);
         return image;
     }
 

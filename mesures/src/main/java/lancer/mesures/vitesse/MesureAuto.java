@@ -148,7 +148,7 @@ public final class MesureAuto {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             Auto auto = new Auto(prepare, echelle, voulue, taille.fils);
             do {
-                auto.getLancer().TracerPixels(image, auto.getChoisi().getProfondeur(), taille.fils);
+                auto.getLancer().TracerImage(image, auto.getChoisi().getProfondeur(), taille.fils);
             } while (!auto.controler(image::getCouleur));
             Reponse r = new Reponse();
             r.scene = nom;

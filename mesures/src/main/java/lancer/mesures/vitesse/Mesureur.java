@@ -129,8 +129,8 @@ final class Mesureur {
     private ImageLineaire dessiner(Lancer lancer, int profondeur) {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         Echantillonnage entier = lancer.getEchantillonnage();
-        lancer.Tracer((pave, voulus, vue, toile) -> Gabarit.dunPaveSurQuatre(pave.i0, pave.j0)
-                ? entier.tracer(pave, voulus, vue, toile) : Releve.RIEN, image, profondeur, taille.fils);
+        lancer.getAtelier().dessiner((pave, voulus, vue, toile) -> Gabarit.dunPaveSurQuatre(pave.i0, pave.j0)
+                ? entier.tracer(pave, voulus, vue, toile) : Releve.RIEN, lancer.getVues(profondeur), image, taille.fils);
         return image;
     }
 
