@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.LinkedList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.systeme.Echec;
 import lancer.texte.Texte;
 
@@ -47,7 +49,7 @@ public final class Options {
             if (!mot.startsWith("-")) {
                 if (scene != null) {
                     throw Echec.demande("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(mot)
-                            + " ; attendu : une seule");
+                            + " ; attendu : une seule" + conseil(textes.keySet()));
                 }
                 scene = mot.isEmpty() ? null : mot;
                 continue;
@@ -73,6 +75,12 @@ public final class Options {
             }
         }
         return scene;
+    }
+
+    /** PowerShell fait plusieurs mots d'une valeur qui a une virgule ; vide si aucune de ces options n'en a. */
+    private static String conseil(Set<Option<?>> donnees) {
+        return Stream.of(Option.PIXEL, Option.SANS).filter(donnees::contains).findFirst()
+                .map(option -> ", et entre guillemets, pour PowerShell, la valeur de " + option.nom).orElse("");
     }
 
     public static String getVersion() {

@@ -13,6 +13,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.systeme.Console;
 
 /**
  * Ce qui est demandé : la scène, la valeur de chaque option et, quand la scène est lue, chaque variante présente,
@@ -109,7 +110,7 @@ public final class Reglages {
     private <T> String ecrire(Option<T> option) {
         T valeur = get(option);
         return valeur.equals(option.absente) ? ""
-                : " " + option.nom + (option.prendUneValeur() ? " " + option.ecrire(valeur) : "");
+                : " " + option.nom + (option.prendUneValeur() ? " " + Console.mot(option.ecrire(valeur)) : "");
     }
 
     /** Le nombre de réflexions, compte tenu de l'étape du cours. */

@@ -11,6 +11,7 @@ import lancer.contrat.Cause;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
 import lancer.scene.SceneLue;
+import lancer.systeme.Console;
 import lancer.systeme.Echec;
 import lancer.texte.Texte;
 
@@ -87,7 +88,7 @@ public final class Demande {
     public Echec nommer(PixelFautif faute) {
         return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lue.nom) + " : "
                 + Cause.dire(faute) + " ; pour le revoir : "
-                + getCommande(" --pixel " + faute.x + "," + faute.y));
+                + getCommande(" --pixel " + Console.mot(faute.x + "," + faute.y)));
     }
 
     /** Deux demandes égales donnent la même image de la même lecture. */

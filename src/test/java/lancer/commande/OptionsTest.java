@@ -182,6 +182,8 @@ class OptionsTest {
         "--aide=oui | valeur impossible pour --aide : « oui » ; attendu : aucune valeur",
         "--bidule --aide | option inconnue : « --bidule » ; attendu : une de celles que montre --aide",
         "a.ini --fils 2 b.ini | plusieurs scènes : « a.ini » et « b.ini » ; attendu : une seule",
+        "--pixel 421 426 a.ini | plusieurs scènes : « 426 » et « a.ini » ; attendu : une seule, et entre guillemets, pour PowerShell, la "
+            + "valeur de --pixel",
         "a.ini a.ini | plusieurs scènes : « a.ini » et « a.ini » ; attendu : une seule",
         "'' --image a.png " + SANS_SCENE})
     void uneDemandeImpossibleEstRefusee(String ligne, String message) {
