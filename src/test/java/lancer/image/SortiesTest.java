@@ -46,7 +46,7 @@ class SortiesTest extends EssaiCommande {
         verifierRefus(1, plein + " : écriture impossible, c'est un dossier", executer("--lineaire", plein.toString()));
         ecrireTexte(png, "pas un dossier");
         Path dessous = png.resolve("image.png");
-        verifierRefus(1, dessous + " : écriture impossible, Not a directory", executer("--image", dessous.toString()));
+        verifierPanne(dessous, executer("--image", dessous.toString()));
         verifierFichiers("image.png", "plein.pfm");
     }
 
@@ -54,16 +54,19 @@ class SortiesTest extends EssaiCommande {
     void unEchecNeDitQueLui() throws IOException {
         Path pleine = disquePlein("pleine.png");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
-        verifierRefus(1, pleine + " : écriture impossible, No space left on device",
-                Essai.executer("--taille=4x4", "--image=" + pleine, scene));
+        verifierPanne(pleine, Essai.executer("--taille=4x4", "--image=" + pleine, scene));
+    }
+
+    /** Une ligne, dont le système dit la fin, dans sa langue. */
+    private static void verifierPanne(Path fichier, Essai e) {
+        assertEquals(1, e.code);
+        assertTrue(e.erreur.matches("lancer : \\Q" + fichier + "\\E : écriture impossible, .+\\R"), e.erreur);
     }
 
     @Test
     void desLiensSansFinSontUnePanne() throws IOException {
         Path boucle = lien("boucle.png", Paths.get("boucle.png"));
-        Essai e = executer("--image", boucle.toString());
-        assertEquals(1, e.code);
-        assertTrue(e.erreur.matches("lancer : \\Q" + boucle + "\\E : écriture impossible, .+\\R"), e.erreur);
+        verifierPanne(boucle, executer("--image", boucle.toString()));
     }
 
     @Test
@@ -102,9 +105,9 @@ class SortiesTest extends EssaiCommande {
         ecrireTexte(png, "avant");
         ImageMemoire image = new ImageMemoire(3, 2, true);
         Map<String, Ecriture.Format<ImageMemoire>> pannes = new LinkedHashMap<>();
-        pannes.put("No space left on device", (i, sortie) -> {
+        pannes.put("plus de place", (i, sortie) -> {
             new FichierPng().ecrire(i, sortie);
-            throw new IOException("No space left on device");
+            throw new IOException("plus de place");
         });
         pannes.put("la prise est débranchée", (i, sortie) -> {
             sortie.write(new byte[1 << 20]);
