@@ -80,16 +80,16 @@ class ProcessusTest extends EssaiProcessus {
         // elle est nommée par le chemin où elle est, et protégée comme les autres
         Files.copy(scenes.resolve("s.ini"), scenes.resolve("s.png"));
         assertEquals(2, statut(preparer(java("", "--image=../../../../scenes/s.png", "scenes/s.png")).directory(variante.toFile())));
-        assertTrue(erreur().contains(" : ../../../../scenes/s.png ; attendu : un autre fichier"), erreur());
+        assertTrue(erreur().contains(" : " + Paths.get("../../../../scenes/s.png") + " ; attendu : un autre fichier"), erreur());
         Files.write(scenes.resolve("s.ini"), Arrays.asList("[Cube]"));
         assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
-        assertTrue(erreur().startsWith("lancer : ../../../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
+        assertTrue(erreur().startsWith("lancer : " + Paths.get("../../../../scenes/s.ini") + ", ligne 1, [Cube] : "), erreur());
 
         // la plus proche passe avant
         Files.createDirectories(ici.resolve("a/b/scenes"));
         Files.write(ici.resolve("a/b/scenes/s.ini"), Arrays.asList("[Cube]"));
         assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
-        assertTrue(erreur().startsWith("lancer : ../../scenes/s.ini, ligne 1, [Cube] : "), erreur());
+        assertTrue(erreur().startsWith("lancer : " + Paths.get("../../scenes/s.ini") + ", ligne 1, [Cube] : "), erreur());
         Files.createDirectories(variante.resolve("scenes"));
         Files.write(variante.resolve("scenes/s.ini"), Arrays.asList("[Cube]"));
         assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
