@@ -27,6 +27,9 @@ import lancer.scene.LecteurSections;
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
 public final class Essai {
 
+    /** Ce que dit le programme quand sa recherche cachait une réponse, et que les boucles dessinent à sa place. */
+    private static final String REPLI = "ce sont les boucles sur tous les objets qui dessinent";
+
     private static final Method ICI = programme(Essai.class.getClassLoader());
 
     /** Statut de sortie. */
@@ -91,6 +94,15 @@ public final class Essai {
             return Essai.executer(executer, args);
         }
 
+        /** Le programme, dont la recherche cache une réponse : il le dit. */
+        public Essai executerAvecRepli(String... args) {
+            Essai essai = executerToujours(executer, args);
+            if (!essai.erreur.contains(REPLI)) {
+                throw new AssertionError("rien ne dit que les boucles dessinent : " + essai);
+            }
+            return essai;
+        }
+
         @Override
         public void close() throws IOException {
             classes.close();
@@ -110,6 +122,19 @@ public final class Essai {
     }
 
     private static Essai executer(Method programme, String... args) {
+        Essai essai = executerToujours(programme, args);
+        exigerLaRecherche(essai.erreur);
+        return essai;
+    }
+
+    /** Une recherche qui se trompe ne passe pas inaperçue parce que les boucles dessinent à sa place. */
+    public static void exigerLaRecherche(String dit) {
+        if (dit != null && dit.contains(REPLI)) {
+            throw new AssertionError("la recherche cachait une réponse : " + dit);
+        }
+    }
+
+    private static Essai executerToujours(Method programme, String... args) {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         ByteArrayOutputStream erreur = new ByteArrayOutputStream();
         try {

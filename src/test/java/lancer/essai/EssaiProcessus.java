@@ -101,7 +101,9 @@ public abstract class EssaiProcessus {
     }
 
     protected String erreur() throws IOException {
-        return new String(Files.readAllBytes(erreur), StandardCharsets.UTF_8);
+        String dit = new String(Files.readAllBytes(erreur), StandardCharsets.UTF_8);
+        Essai.exigerLaRecherche(dit);
+        return dit;
     }
 
     protected String sortie() throws IOException {
@@ -109,7 +111,7 @@ public abstract class EssaiProcessus {
     }
 
     protected static void supposerUnix() {
-        assumeTrue(Files.exists(Paths.get("/proc/self/status")) && Files.exists(Paths.get("/bin/sh")), "pas un Linux");
+        assumeTrue(File.separatorChar == '/' && Files.exists(Paths.get("/proc/self/status")), "pas un Linux");
     }
 
     /** Ce qui est dans le dossier, les flux mis à part. */

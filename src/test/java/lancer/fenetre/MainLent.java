@@ -13,6 +13,7 @@ import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
 import lancer.dessin.Rapport;
+import lancer.essai.Essai;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
@@ -95,6 +96,7 @@ class MainLent implements Programme {
                 peindre(ye, () -> super.drawPixel(coul, xe, ye));
             }
         }.doTracerImage(demande.largeur, demande.hauteur);
+        Essai.exigerLaRecherche(dernier.ecart);
         Rapport.dire(dernier, BancFenetre.flux(sortie), BancFenetre.flux(erreur));
         return dernier;
     }

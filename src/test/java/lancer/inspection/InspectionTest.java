@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -31,6 +32,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Releve;
 import lancer.essai.Essai;
+import lancer.essai.Modification;
 import lancer.essai.Ressources;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
@@ -155,6 +157,24 @@ class InspectionTest {
         assertNotEquals(new Couleur(), autre);
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals("autre = " + composantes(autre) + " (que le récit ne connaît pas)", lignes.get(lignes.size() - 2));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"Couleur | v + c.v | v", "Scene | (recherche.aEgalite(plusProche), distance) | "
+            + "(recherche.aEgalite(plusProche), 1.001 * distance)"})
+    void laSommeDUnPixelEstLaCouleurDessineeQuoiQuUnEtudiantChange(String classe, String ancienne, String nouvelle) throws IOException {
+        try (Essai.Isole programme = Modification.de(dossier, classe, ancienne, nouvelle)) {
+            String pfm = dossier.resolve("i.pfm").toString();
+            assertEquals("", programme.executer("--taille=120x90", "--lineaire", pfm, "scenes/scene1.ini").erreur);
+            float[] image = Essai.pfm(Files.readAllBytes(dossier.resolve("i.pfm")));
+            for (int[] pixel : new int[][] {{60, 55}, {31, 62}, {88, 49}, {12, 80}}) {
+                String dit = programme.executer("--taille=120x90", "--pixel", pixel[0] + "," + pixel[1], "scenes/scene1.ini").sortie;
+                String[] somme = dit.substring(dit.lastIndexOf("somme ")).split(" ");
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(image[3 * ((89 - pixel[1]) * 120 + pixel[0]) + c], (float) Double.parseDouble(somme[1 + c]), dit);
+                }
+            }
+        }
     }
 
     /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */
