@@ -89,16 +89,16 @@ public final class Lancer {
      *
      * @return {@link Releve#RIEN} : aucun pixel n'a plusieurs rayons
      */
-    public static Releve TracerPave(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        for (int ye = voulus.j0; ye < voulus.j1; ye++) {
-            for (int xe = voulus.i0; xe < voulus.i1; xe++) {
+    public static Releve TracerPave(Pave pave, Pave partie, Vue vue, Toile toile) {
+        for (int ye = partie.j0; ye < partie.j1; ye++) {
+            for (int xe = partie.i0; xe < partie.i1; xe++) {
                 toile.drawPixel(vue.couleur(xe + 0.5, ye + 0.5), xe, ye);
             }
         }
         return Releve.RIEN;
     }
 
-    private static Releve TracerCarres(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    private static Releve TracerCarres(Pave pave, Pave partie, Vue vue, Toile toile) {
         for (int ye = pave.j0; ye < pave.j1; ye += Constantes.PAS_BROUILLON) {
             for (int xe = pave.i0; xe < pave.i1; xe += Constantes.PAS_BROUILLON) {
                 int yFin = Math.min(ye + Constantes.PAS_BROUILLON, pave.j1);

@@ -36,8 +36,8 @@ public final class Scene {
         this(LecteurScene.lire(nomFichier, part -> { }));
     }
 
-    private Scene(SceneLue lue) {
-        this(lue.objets, lue.lampes, lue.getCadrage(), lue.getModele());
+    private Scene(SceneLue contenu) {
+        this(contenu.objets, contenu.lampes, contenu.getCadrage(), contenu.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
@@ -89,13 +89,13 @@ public final class Scene {
     }
 
     /** La même scène, dessinée selon cet autre modèle. */
-    public Scene avec(Modele nouveau) {
-        return new Scene(this, nouveau, recherche);
+    public Scene avec(Modele autreModele) {
+        return new Scene(this, autreModele, recherche);
     }
 
     /** La même scène, où cette autre recherche propose les objets. */
-    public Scene avec(Recherche nouvelle) {
-        return new Scene(this, modele, nouvelle);
+    public Scene avec(Recherche autreRecherche) {
+        return new Scene(this, modele, autreRecherche);
     }
 
     /** La caméra que place la scène, ou celle du cours, pour une image de cette taille. */

@@ -88,11 +88,11 @@ final class Lecture<T> {
     /** Deux entiers de {@code min} à {@code max}, dont le produit est limité. */
     static Lecture<Couple> couple(String separateur, int min, int max, int produitMax) {
         return new Lecture<>(texte -> {
-            String[] deux = texte.split(separateur, 2);
-            double x = Nombre.lireEntier(deux[0]);
-            double y = Nombre.lireEntier(deux[deux.length - 1]);
-            boolean permis = deux.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max;
-            return permis && x * y <= produitMax ? new Couple((int) x, (int) y) : null;
+            String[] nombres = texte.split(separateur, 2);
+            double x = Nombre.lireEntier(nombres[0]);
+            double y = Nombre.lireEntier(nombres[nombres.length - 1]);
+            boolean estPermis = nombres.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max;
+            return estPermis && x * y <= produitMax ? new Couple((int) x, (int) y) : null;
         }, couple -> couple.x + separateur + couple.y);
     }
 

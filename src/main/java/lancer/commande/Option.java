@@ -107,8 +107,8 @@ public final class Option<T> {
     boolean changeLImage;
     private Parametre parametre;
     /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
-    private List<Option<?>> servies = Collections.emptyList();
-    private List<Option<?>> separees = Collections.emptyList();
+    private List<Option<?>> requises = Collections.emptyList();
+    private List<Option<?>> incompatibles = Collections.emptyList();
 
     private Option(String cle, String exemple, Lecture<T> lecture, String attendu, String aide, T absente) {
         nom = "--" + cle;
@@ -150,12 +150,12 @@ public final class Option<T> {
     }
 
     private Option<T> avecUne(Option<?>... options) {
-        servies = Arrays.asList(options);
+        requises = Arrays.asList(options);
         return this;
     }
 
     private Option<T> sans(Option<?>... options) {
-        separees = Arrays.asList(options);
+        incompatibles = Arrays.asList(options);
         return this;
     }
 
@@ -193,14 +193,14 @@ public final class Option<T> {
 
     /** @throws Echec si cette option ne va pas avec une autre, ou ne sert pas sans une autre */
     void accorder(Collection<Option<?>> donnees) {
-        for (Option<?> separee : separees) {
-            if (donnees.contains(separee)) {
-                throw Echec.demande(nom + " ne va pas avec " + separee.nom + " ; attendu : l'une ou l'autre");
+        for (Option<?> incompatible : incompatibles) {
+            if (donnees.contains(incompatible)) {
+                throw Echec.demande(nom + " ne va pas avec " + incompatible.nom + " ; attendu : l'une ou l'autre");
             }
         }
-        if (!servies.isEmpty() && Collections.disjoint(servies, donnees)) {
-            throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, " + servies.stream()
-                    .map(servie -> servie.nom + " " + servie.exemple).collect(Collectors.joining(" ou ")));
+        if (!requises.isEmpty() && Collections.disjoint(requises, donnees)) {
+            throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, " + requises.stream()
+                    .map(requise -> requise.nom + " " + requise.exemple).collect(Collectors.joining(" ou ")));
         }
     }
 

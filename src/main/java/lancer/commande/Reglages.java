@@ -27,15 +27,15 @@ public final class Reglages {
     /** Le texte de chaque option donnée, que son option lit. */
     private final Map<Option<?>, String> textes;
     /** La section que le fichier donne à chaque variante présente ; de ligne 0 s'il n'en donne pas. */
-    private final Map<Variante, Section> lues;
+    private final Map<Variante, Section> sectionsDuFichier;
     /** La section de chaque variante présente : celle du fichier, ou celle qui la remplace. */
     private final Map<Variante, Section> sections;
 
-    private Reglages(String scene, Map<Option<?>, String> textes, Map<Variante, Section> lues,
+    private Reglages(String scene, Map<Option<?>, String> textes, Map<Variante, Section> sectionsDuFichier,
             Map<Variante, Section> sections) {
         this.scene = scene;
         this.textes = textes;
-        this.lues = lues;
+        this.sectionsDuFichier = sectionsDuFichier;
         this.sections = sections;
     }
 
@@ -48,16 +48,16 @@ public final class Reglages {
      * Ces réglages, pour une scène qui vient d'être lue. Une section changée est gardée si celle du fichier est la même
      * qu'à la lecture précédente.
      *
-     * @param nouvelles la section de chaque variante présente
+     * @param sectionsLues la section de chaque variante présente
      */
-    public Reglages pour(Map<Variante, Section> nouvelles) {
-        Map<Variante, Section> gardees = new LinkedHashMap<>(nouvelles);
-        for (Variante variante : nouvelles.keySet()) {
-            if (nouvelles.get(variante).equals(lues.get(variante))) {
-                gardees.put(variante, sections.get(variante));
+    public Reglages pour(Map<Variante, Section> sectionsLues) {
+        Map<Variante, Section> sectionsGardees = new LinkedHashMap<>(sectionsLues);
+        for (Variante variante : sectionsLues.keySet()) {
+            if (sectionsLues.get(variante).equals(sectionsDuFichier.get(variante))) {
+                sectionsGardees.put(variante, sections.get(variante));
             }
         }
-        return new Reglages(scene, textes, nouvelles, gardees);
+        return new Reglages(scene, textes, sectionsLues, sectionsGardees);
     }
 
     /** La valeur de cette option, donnée ou non. */
@@ -70,29 +70,29 @@ public final class Reglages {
     }
 
     public <T> Reglages avec(Option<T> option, T valeur) {
-        Map<Option<?>, String> autres = new HashMap<>(textes);
+        Map<Option<?>, String> nouveauxTextes = new HashMap<>(textes);
         if (Objects.equals(valeur, option.absente)) {
-            autres.remove(option);
+            nouveauxTextes.remove(option);
         } else {
-            autres.put(option, option.ecrire(valeur));
+            nouveauxTextes.put(option, option.ecrire(valeur));
         }
-        return new Reglages(scene, autres, lues, sections);
+        return new Reglages(scene, nouveauxTextes, sectionsDuFichier, sections);
     }
 
     public Reglages avecVariante(Variante variante, boolean branchee) {
-        Set<String> autres = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-        autres.addAll(get(Option.SANS));
-        autres.remove(variante.getSection());
+        Set<String> debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+        debranchees.addAll(get(Option.SANS));
+        debranchees.remove(variante.getSection());
         if (!branchee) {
-            autres.add(variante.getSection());
+            debranchees.add(variante.getSection());
         }
-        return avec(Option.SANS, Collections.unmodifiableSet(autres));
+        return avec(Option.SANS, Collections.unmodifiableSet(debranchees));
     }
 
     public Reglages avecSection(Variante variante, Section section) {
-        Map<Variante, Section> autres = new LinkedHashMap<>(sections);
-        autres.put(variante, section);
-        return new Reglages(scene, textes, lues, autres);
+        Map<Variante, Section> nouvellesSections = new LinkedHashMap<>(sections);
+        nouvellesSections.put(variante, section);
+        return new Reglages(scene, textes, sectionsDuFichier, nouvellesSections);
     }
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
@@ -146,20 +146,23 @@ public final class Reglages {
     public String getValeur(Variante variante, Parametre parametre) {
         Section section = getSection(variante);
         String donnee = section.mot(parametre.cle, null);
-        boolean ailleurs = parametre.autre != null && section.mot(parametre.autre, null) != null;
-        return donnee != null || ailleurs ? donnee : parametre.defaut;
+        String incompatible = parametre.cleIncompatible;
+        boolean remplacee = incompatible != null && section.mot(incompatible, null) != null;
+        return donnee != null || remplacee ? donnee : parametre.defaut;
     }
 
     /** La variante branchée, absente du fichier, dont des essais choisissent la section ; ou {@code null}. */
     public Variante getEssayee() {
-        return sections.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
-                && !variante.getSectionsProposees(getSection(variante)).isEmpty()).findFirst().orElse(null);
+        return sections.keySet().stream()
+                .filter(v -> estBranchee(v) && sectionsDuFichier.get(v).ligne == 0)
+                .filter(v -> !v.getSectionsProposees(getSection(v)).isEmpty()).findFirst().orElse(null);
     }
 
     /** Les sections à écrire dans le fichier, à la place des siennes, pour obtenir ces réglages. */
     public List<Section> getSectionsChangees() {
-        return sections.keySet().stream().filter(this::estBranchee).filter(v -> !getSection(v).equals(lues.get(v)))
-                .map(this::getSection).collect(Collectors.toList());
+        return sections.keySet().stream().filter(this::estBranchee)
+                .filter(v -> !getSection(v).equals(sectionsDuFichier.get(v))).map(this::getSection)
+                .collect(Collectors.toList());
     }
 
     /**
@@ -200,10 +203,10 @@ public final class Reglages {
     @Override
     public String toString() {
         int reflets = get(Option.REFLETS);
-        String permises = reflets + (reflets > 1 ? " réflexions" : " réflexion");
-        String choisi = get(Option.ETAPE) == Etape.REFLETS ? permises : "étape " + get(Option.ETAPE);
-        String abandon = get(Option.SEUIL).equals(Option.SEUIL.absente) ? "" : ", seuil " + get(Option.SEUIL);
-        return choisi + abandon + sections.keySet().stream().filter(this::estBranchee)
+        String reflexions = reflets + (reflets > 1 ? " réflexions" : " réflexion");
+        String etape = get(Option.ETAPE) == Etape.REFLETS ? reflexions : "étape " + get(Option.ETAPE);
+        String seuil = get(Option.SEUIL).equals(Option.SEUIL.absente) ? "" : ", seuil " + get(Option.SEUIL);
+        return etape + seuil + sections.keySet().stream().filter(this::estBranchee)
                 .map(v -> ", " + getSectionEntiere(v)).collect(Collectors.joining());
     }
 }

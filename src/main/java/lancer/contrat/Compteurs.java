@@ -26,13 +26,13 @@ public final class Compteurs {
         }
     }
 
-    public void ajouter(Compteurs autres) {
-        primaires += autres.primaires;
-        ombre += autres.ombre;
-        reflechis += autres.reflechis;
-        testsSpheres += autres.testsSpheres;
-        noeudsVisites += autres.noeudsVisites;
-        pixelsRaffines += autres.pixelsRaffines;
+    public void ajouter(Compteurs compteurs) {
+        primaires += compteurs.primaires;
+        ombre += compteurs.ombre;
+        reflechis += compteurs.reflechis;
+        testsSpheres += compteurs.testsSpheres;
+        noeudsVisites += compteurs.noeudsVisites;
+        pixelsRaffines += compteurs.pixelsRaffines;
     }
 
     /** Le nombre de rayons de toutes sortes. */

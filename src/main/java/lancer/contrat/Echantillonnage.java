@@ -10,8 +10,8 @@ public interface Echantillonnage {
      * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue, qui
      * dit si c'est un second regard ({@link Vue#estSeconde}).
      *
-     * @param voulus une partie du pavé, ou tout le pavé
+     * @param partie les pixels voulus : un rectangle du pavé, ou tout le pavé
      * @return {@link Releve#RIEN} si l'échantillonnage ne raffine aucun pixel
      */
-    Releve tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
+    Releve tracer(Pave pave, Pave partie, Vue vue, Toile toile);
 }

@@ -32,13 +32,13 @@ public final class Modele {
     }
 
     /** Modèle identique, sauf l'échantillonnage et le seuil ({@link #getSeuil}). */
-    public Modele avec(Echantillonnage autre, double autreSeuil) {
-        return new Modele(atmosphere, specularite, autre, autreSeuil, ombres);
+    public Modele avec(Echantillonnage autreEchantillonnage, double autreSeuil) {
+        return new Modele(atmosphere, specularite, autreEchantillonnage, autreSeuil, ombres);
     }
 
-    /** Modèle identique, sauf le seuil. @param autre fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
-    public Modele avecSeuil(double autre) {
-        return new Modele(atmosphere, specularite, echantillonnage, autre, ombres);
+    /** Modèle identique, sauf le seuil. @param autreSeuil fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
+    public Modele avecSeuil(double autreSeuil) {
+        return new Modele(atmosphere, specularite, echantillonnage, autreSeuil, ombres);
     }
 
     public Atmosphere getAtmosphere() {
@@ -74,32 +74,32 @@ public final class Modele {
         private Specularite specularite;
         private Echantillonnage echantillonnage;
         private double seuil = Constantes.SEUIL;
-        private boolean reflets = true;
+        private boolean avecReflets = true;
         private boolean ombres = true;
 
         /** @throws SceneFautive si une autre variante a déjà changé l'air */
-        public void setAtmosphere(Atmosphere choisie) {
-            atmosphere = libre(atmosphere, choisie, "l'air");
+        public void setAtmosphere(Atmosphere atmosphere) {
+            this.atmosphere = libre(this.atmosphere, atmosphere, "l'air");
         }
 
         /** @throws SceneFautive si une autre variante a déjà changé le reflet des lampes */
-        public void setSpecularite(Specularite choisie) {
-            specularite = libre(specularite, choisie, "le reflet des lampes");
+        public void setSpecularite(Specularite specularite) {
+            this.specularite = libre(this.specularite, specularite, "le reflet des lampes");
         }
 
         /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
-        public void setEchantillonnage(Echantillonnage choisi) {
-            echantillonnage = libre(echantillonnage, choisi, "l'échantillonnage");
+        public void setEchantillonnage(Echantillonnage echantillonnage) {
+            this.echantillonnage = libre(this.echantillonnage, echantillonnage, "l'échantillonnage");
         }
 
-        /** @param choisi fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
-        public void setSeuil(double choisi) {
-            seuil = choisi;
+        /** @param seuil fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
+        public void setSeuil(double seuil) {
+            this.seuil = seuil;
         }
 
         /** Ne laisse que l'éclairement de Lambert. */
         public void oterSpecularite() {
-            reflets = false;
+            avecReflets = false;
         }
 
         public void oterOmbres() {
@@ -107,20 +107,20 @@ public final class Modele {
         }
 
         public Modele construire() {
-            Specularite choisie = specularite == null ? Specularite.PHONG : specularite;
+            Specularite reflet = specularite == null ? Specularite.PHONG : specularite;
             return new Modele(atmosphere == null ? Atmosphere.CLAIRE : atmosphere,
-                    reflets ? choisie : (V, N, L, R, ns) -> 0, echantillonnage, seuil, ombres);
+                    avecReflets ? reflet : (V, N, L, R, ns) -> 0, echantillonnage, seuil, ombres);
         }
 
-        private static <T> T libre(T present, T nouveau, String quoi) {
-            if (nouveau == null) {
-                throw new IllegalArgumentException("une variante a changé " + quoi + " en null");
+        private static <T> T libre(T dejaChoisi, T contrat, String role) {
+            if (contrat == null) {
+                throw new IllegalArgumentException("une variante a changé " + role + " en null");
             }
-            if (present != null) {
-                throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et "
-                        + nom(nouveau) + " ; attendu : une seule des deux dans le chemin des classes");
+            if (dejaChoisi != null) {
+                throw new SceneFautive("deux variantes veulent changer " + role + " : " + nom(dejaChoisi) + " et "
+                        + nom(contrat) + " ; attendu : une seule des deux dans le chemin des classes");
             }
-            return nouveau;
+            return contrat;
         }
 
         /** Le nom de la classe, sans le suffixe que Java donne à une lambda. */

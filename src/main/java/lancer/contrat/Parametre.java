@@ -16,7 +16,7 @@ public final class Parametre {
     /** La clé, sa valeur par défaut comme dans un fichier, et la clé incompatible avec elle, ou {@code null}. */
     public final String cle;
     public final String defaut;
-    public final String autre;
+    public final String cleIncompatible;
 
     /** Les valeurs à choisir, comme dans un fichier : des mots, ou des nombres croissants ; vide pour un texte. */
     public final List<String> valeurs;
@@ -25,12 +25,12 @@ public final class Parametre {
     public final String attendu;
     private final Predicate<String> possible;
 
-    private Parametre(String cle, String defaut, List<String> valeurs, String autre, String attendu,
+    private Parametre(String cle, String defaut, List<String> valeurs, String cleIncompatible, String attendu,
             Predicate<String> possible) {
         this.cle = cle;
         this.defaut = defaut;
         this.valeurs = valeurs;
-        this.autre = autre;
+        this.cleIncompatible = cleIncompatible;
         this.attendu = attendu;
         this.possible = possible;
     }
@@ -67,8 +67,8 @@ public final class Parametre {
     }
 
     /** Paramètre identique, incompatible avec cette autre clé. */
-    public Parametre sans(String autreCle) {
-        return new Parametre(cle, defaut, valeurs, autreCle, attendu, possible);
+    public Parametre sans(String incompatible) {
+        return new Parametre(cle, defaut, valeurs, incompatible, attendu, possible);
     }
 
     /** Le nom du réglage dans la fenêtre. */

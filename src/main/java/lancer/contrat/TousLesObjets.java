@@ -38,8 +38,8 @@ public final class TousLesObjets implements Recherche {
     }
 
     @Override
-    public Recherche pourUnFil(Compteurs autres) {
-        return new TousLesObjets(objets, autres);
+    public Recherche pourUnFil(Compteurs compteursDuFil) {
+        return new TousLesObjets(objets, compteursDuFil);
     }
 
     /** Le passage d'un rayon. Chaque question a le sien : une boucle peut donc en poser une autre. */
@@ -47,7 +47,7 @@ public final class TousLesObjets implements Recherche {
 
         private final Rayon rayon;
         private final Objet3D depart;
-        private int suivant;
+        private int rang;
 
         Passage(Rayon rayon, Objet3D depart) {
             this.rayon = rayon;
@@ -61,15 +61,15 @@ public final class TousLesObjets implements Recherche {
 
         @Override
         public boolean hasNext() {
-            if (Double.isNaN(rayon.getDistance()) && suivant > 0) {
-                Recherche.getDistance(objets[suivant - 1], rayon);
+            if (Double.isNaN(rayon.getDistance()) && rang > 0) {
+                Recherche.getDistance(objets[rang - 1], rayon);
             }
-            return suivant < objets.length;
+            return rang < objets.length;
         }
 
         @Override
         public Objet3D next() {
-            Objet3D objet = objets[suivant++];
+            Objet3D objet = objets[rang++];
             if (objet != depart) {
                 compteurs.testsSpheres++;
                 rayon.setContact(null, Double.NaN);

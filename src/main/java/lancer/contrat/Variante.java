@@ -32,9 +32,9 @@ public interface Variante {
     /**
      * Les sections que {@code --auto} essaie si la scène n'en a pas de cette variante, du moins cher au plus juste.
      * Chacune va avec un seuil des reflets, qui ajoute peu à l'erreur de cette section. Elles sont créées à partir de
-     * {@code sienne} par {@link Section#sansFichier}.
+     * {@code section} par {@link Section#sansFichier}.
      */
-    default Map<Section, Double> getSectionsProposees(Section sienne) {
+    default Map<Section, Double> getSectionsProposees(Section section) {
         return Collections.emptyMap();
     }
 

@@ -45,9 +45,9 @@ public final class Demande {
      * @throws SceneFautive si une section de variante est refusée
      * @throws Echec si {@code --sans} nomme une variante qui n'existe pas
      */
-    public Demande(SceneLue lue, Reglages voulus) {
-        this(lue, voulus.pour(lue.variantes),
-                new Scene(lue.objets, lue.lampes, lue.getCadrage(), voulus.pour(lue.variantes).getModele()));
+    public Demande(SceneLue lue, Reglages reglages) {
+        this(lue, reglages.pour(lue.variantes),
+                new Scene(lue.objets, lue.lampes, lue.getCadrage(), reglages.pour(lue.variantes).getModele()));
         for (String type : reglages.get(Option.SANS)) {
             if (!LecteurSections.estUneVariante(type)) {
                 throw Option.SANS.impossible(type, "une variante, par exemple Brume");
@@ -56,22 +56,22 @@ public final class Demande {
     }
 
     /** La même demande d'une autre lecture. @throws SceneFautive voir le constructeur */
-    public Demande avecLecture(SceneLue autre) {
-        return new Demande(autre, reglages);
+    public Demande avecLecture(SceneLue autreLecture) {
+        return new Demande(autreLecture, reglages);
     }
 
     /** @throws SceneFautive si un réglage est refusé */
-    public Demande avecReglages(Reglages autres) {
-        return new Demande(lue, autres, scene.avec(autres.getModele()));
+    public Demande avecReglages(Reglages autresReglages) {
+        return new Demande(lue, autresReglages, scene.avec(autresReglages.getModele()));
     }
 
     public Demande avecTaille(int autreLargeur, int autreHauteur) {
         return new Demande(lue, reglages.avec(Option.TAILLE, new Couple(autreLargeur, autreHauteur)), scene);
     }
 
-    /** @param autre {@code null} pour l'image */
-    public Demande avecVue(String autre) {
-        return new Demande(lue, reglages.avec(Option.VUE, autre), scene);
+    /** @param autreVue {@code null} pour l'image */
+    public Demande avecVue(String autreVue) {
+        return new Demande(lue, reglages.avec(Option.VUE, autreVue), scene);
     }
 
     /** La scène, ainsi réglée. Chaque appel en rend une nouvelle, à préparer. */

@@ -84,8 +84,8 @@ public final class Dessin {
     }
 
     /**
-     * Dessine ce qui est demandé sur cette toile, {@code --repeter} fois : l'image, ou une vue en fausses couleurs. Avec
-     * {@code --auto}, dessine avec les réglages qu'il choisit, puis mesure l'erreur de l'image.
+     * Dessine ce qui est demandé sur cette toile, {@code --repeter} fois : l'image, ou une vue en fausses couleurs.
+     * Avec {@code --auto}, dessine avec les réglages qu'il choisit, puis mesure l'erreur de l'image.
      *
      * @throws Echec si un pixel ne peut être calculé, et si ce n'est pas toléré
      */
@@ -112,9 +112,9 @@ public final class Dessin {
     }
 
     /** Dessine l'image de la scène préparée, selon ces autres réglages. @return le temps du dessin, en nanosecondes */
-    public long tracer(Reglages autres, Toile toile) {
-        dernier = lancer.avec(autres.getModele());
-        dernier.TracerImage(toile, autres.getProfondeur(), autres.get(Option.FILS));
+    public long tracer(Reglages reglages, Toile toile) {
+        dernier = lancer.avec(reglages.getModele());
+        dernier.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
         tracesNs = new long[] {dernier.getAtelier().getDureeNs()};
         return tracesNs[0];
     }
@@ -136,15 +136,15 @@ public final class Dessin {
                 options.get(Option.AUTO), options.get(Option.FILS));
     }
 
-    /** Voir {@link Atelier#seRegardeDeuxFois}. Une image qui n'est pas celle dessinée est regardée une première fois. */
+    /** Voir {@link Atelier#seRegardeDeuxFois}. L'image qui n'est pas encore dessinée est regardée une première fois. */
     public boolean seRegardeDeuxFois() {
         if (tracesNs != null && demande.vue == null) {
             return dernier.getAtelier().seRegardeDeuxFois();
         }
-        Lancer autre = lancer.avec(demande.reglages.getModele());
-        autre.getAtelier().getFautes().tolerer();
-        return autre.getAtelier().regarder(autre.getEchantillonnage(), autre.getVues(demande.reglages.getProfondeur()),
-                demande.reglages.get(Option.FILS));
+        Lancer premier = lancer.avec(demande.reglages.getModele());
+        premier.getAtelier().getFautes().tolerer();
+        return premier.getAtelier().regarder(premier.getEchantillonnage(),
+                premier.getVues(demande.reglages.getProfondeur()), demande.reglages.get(Option.FILS));
     }
 
     /** La part dessinée de l'image en cours, de 0 à 1. */

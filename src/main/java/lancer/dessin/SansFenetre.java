@@ -51,8 +51,7 @@ public final class SansFenetre {
         if (compareDeuxFichiers()) {
             return comparer(LectureImage.lire(options.scene), reference, fichiers);
         }
-        Demande lue = lire();
-        Demande demande = reference == null ? lue : lue.avecTaille(reference.largeur, reference.hauteur);
+        Demande demande = reference == null ? lire() : lire().avecTaille(reference.largeur, reference.hauteur);
         Dessin dessin;
         try (BarreProgression barre = new BarreProgression(erreur)) {
             dessin = programme.dessiner(demande, commence -> barre.suivre(commence::getAvancement));
@@ -79,29 +78,29 @@ public final class SansFenetre {
     /** Les fichiers demandés. @throws lancer.systeme.Echec si l'un d'eux ne peut être écrit */
     private List<Ecriture<ImageMemoire>> fichiers() {
         List<Ecriture<ImageMemoire>> fichiers = new ArrayList<>();
-        Map<String, String> pris = new LinkedHashMap<>();
+        Map<String, String> proteges = new LinkedHashMap<>();
         if (options.estDonnee(Option.COMPARER)) {
-            pris.put(options.get(Option.COMPARER), UNE_IMAGE);
+            proteges.put(options.get(Option.COMPARER), UNE_IMAGE);
         }
         if (compareDeuxFichiers()) {
-            pris.put(options.scene, UNE_IMAGE);
+            proteges.put(options.scene, UNE_IMAGE);
         } else {
-            pris.put(LecteurScene.trouver(options.scene).toString(), "la scène elle-même");
+            proteges.put(LecteurScene.trouver(options.scene).toString(), "la scène elle-même");
         }
-        ajouter(fichiers, Option.IMAGE, new FichierPng(), pris);
-        ajouter(fichiers, Option.LINEAIRE, new FichierPfm(), pris);
+        ajouter(fichiers, Option.IMAGE, new FichierPng(), proteges);
+        ajouter(fichiers, Option.LINEAIRE, new FichierPfm(), proteges);
         return fichiers;
     }
 
-    /** @throws lancer.systeme.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont pris */
+    /** @throws lancer.systeme.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont protégés */
     private void ajouter(List<Ecriture<ImageMemoire>> fichiers, Option<String> option,
-            Ecriture.Format<ImageMemoire> format, Map<String, String> pris) {
+            Ecriture.Format<ImageMemoire> format, Map<String, String> proteges) {
         if (options.estDonnee(option)) {
             Ecriture<ImageMemoire> fichier = new Ecriture<>(options.get(option), format);
-            for (Map.Entry<String, String> autre : pris.entrySet()) {
-                fichier.distinguer(autre.getKey(), autre.getValue());
+            for (Map.Entry<String, String> protege : proteges.entrySet()) {
+                fichier.distinguer(protege.getKey(), protege.getValue());
             }
-            pris.put(fichier.cible.toString(), "celle de --image et de --lineaire");
+            proteges.put(fichier.cible.toString(), "celle de --image et de --lineaire");
             fichiers.add(fichier);
         }
     }
@@ -109,9 +108,10 @@ public final class SansFenetre {
     private void expliquerUnPixel() {
         Demande demande = lire();
         Scene scene = demande.getScene();
-        Couple ou = options.get(Option.PIXEL);
+        Couple place = options.get(Option.PIXEL);
         Inspection pixel = new Inspection(scene, demande.lue::getOrigine,
-                scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), ou.x, ou.y);
+                scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), place.x,
+                place.y);
         pixel.faire(() -> Dessin.preparer(demande).seRegardeDeuxFois());
         if (pixel.getFaute() != null) {
             throw demande.nommer(pixel.getFaute());

@@ -171,7 +171,7 @@ final class PanneauReglages extends JScrollPane {
     private void regler(Variante variante, Parametre parametre, String voulue) {
         Section section = reglages().getSection(variante);
         if (!miseAJour && !voulue.equals(section.mot(parametre.cle, null))) {
-            changer(reglages().avecSection(variante, section.avec(parametre.cle, voulue, parametre.autre)));
+            changer(reglages().avecSection(variante, section.avec(parametre.cle, voulue, parametre.cleIncompatible)));
         }
     }
 

@@ -47,15 +47,15 @@ public final class Atelier {
      */
     public void dessiner(Echantillonnage echantillonnage, Supplier<Vue> vues, Toile toile, int fils) {
         long debut = System.nanoTime();
-        List<Vue> siennes = creer(vues, fils);
-        equipe.faire(travaux(echantillonnage, siennes, toile));
+        List<Vue> vuesDesFils = creer(vues, fils);
+        equipe.faire(travaux(echantillonnage, vuesDesFils, toile));
         if (seRegardeDeuxFois()) {
-            equipe.faire(travaux(echantillonnage, siennes.stream().map(Vue::seconde).collect(Collectors.toList()),
-                    toile));
+            equipe.faire(travaux(echantillonnage,
+                    vuesDesFils.stream().map(Vue::seconde).collect(Collectors.toList()), toile));
         }
         Compteurs comptes = new Compteurs();
-        siennes.forEach(vue -> comptes.ajouter(vue.compteurs()));
-        comptes.pixelsRaffines = vus().mapToLong(releve -> releve.raffines).sum();
+        vuesDesFils.forEach(vue -> comptes.ajouter(vue.compteurs()));
+        comptes.pixelsRaffines = relevesFaits().mapToLong(releve -> releve.raffines).sum();
         compteurs = comptes;
         dureeNs = System.nanoTime() - debut;
     }
@@ -78,26 +78,27 @@ public final class Atelier {
     /** Le travail de chaque fil : dessiner les pavés qu'il prend, ou ceux que sa seconde vue revoit. */
     private List<Runnable> travaux(Echantillonnage echantillonnage, List<Vue> vues, Toile toile) {
         boolean seconde = vues.get(0).estSeconde();
-        AtomicReferenceArray<Releve> neufs = seconde ? releves : new AtomicReferenceArray<>(paves.size());
-        releves = neufs;
-        int[] rangs = IntStream.range(0, paves.size()).filter(k -> !seconde || neufs.get(k).aRevoir).toArray();
+        AtomicReferenceArray<Releve> relevesDuRegard = seconde ? releves : new AtomicReferenceArray<>(paves.size());
+        releves = relevesDuRegard;
+        int[] rangs = IntStream.range(0, paves.size())
+                .filter(k -> !seconde || relevesDuRegard.get(k).aRevoir).toArray();
         return vues.stream().map(vue -> (Runnable) () -> {
             for (int tache = equipe.prendre(); tache < rangs.length; tache = equipe.prendre()) {
                 Pave pave = paves.get(rangs[tache]);
-                neufs.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
+                relevesDuRegard.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
                 fautes.peindre(pave, toile);
             }
         }).collect(Collectors.toList());
     }
 
-    private Stream<Releve> vus() {
-        AtomicReferenceArray<Releve> ceux = releves;
-        return IntStream.range(0, ceux.length()).mapToObj(ceux::get).filter(Objects::nonNull);
+    private Stream<Releve> relevesFaits() {
+        AtomicReferenceArray<Releve> relevesConnus = releves;
+        return IntStream.range(0, relevesConnus.length()).mapToObj(relevesConnus::get).filter(Objects::nonNull);
     }
 
-    /** Dit si ce qui est dessiné de l'image laisse craindre des détails que personne n'a vus ({@link Releve#soupcon}). */
+    /** Dit si ce qui est dessiné laisse craindre des détails que personne n'a vus ({@link Releve#soupcon}). */
     public boolean seRegardeDeuxFois() {
-        return vus().mapToDouble(releve -> releve.soupcon).sum() > 0;
+        return relevesFaits().mapToDouble(releve -> releve.soupcon).sum() > 0;
     }
 
     /**
@@ -123,10 +124,10 @@ public final class Atelier {
         return fautes.noter(echec, xe, ye);
     }
 
-    /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1 ; un pavé à revoir ne compte que pour moitié. */
+    /** La part dessinée de l'image ou du brouillon en cours, de 0 à 1 ; un pavé à revoir ne compte que pour moitié. */
     public double getAvancement() {
         double entier = seRegardeDeuxFois() ? 0.5 : 1;
-        return vus().mapToDouble(releve -> releve.aRevoir ? entier : 1).sum() / releves.length();
+        return relevesFaits().mapToDouble(releve -> releve.aRevoir ? entier : 1).sum() / releves.length();
     }
 
     /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */

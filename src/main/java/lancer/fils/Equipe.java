@@ -21,7 +21,7 @@ public final class Equipe {
     /** Taille de la pile d'un fil, en octets : mille réflexions sont permises, et chacune demande deux appels. */
     private static final long PILE = 16 << 20;
 
-    private final AtomicInteger suivante = new AtomicInteger();
+    private final AtomicInteger prochaineTache = new AtomicInteger();
     private volatile boolean arretee;
 
     /** Exécute ce travail dans un fil. Voir {@link #faire(List)}. */
@@ -36,21 +36,21 @@ public final class Equipe {
      */
     public void faire(List<? extends Runnable> travaux) {
         obeir();
-        suivante.set(0);
-        AtomicInteger crees = new AtomicInteger();
+        prochaineTache.set(0);
+        AtomicInteger nombreDeFils = new AtomicInteger();
         ExecutorService fils = Executors.newFixedThreadPool(travaux.size(), travail -> {
-            Thread fil = new Thread(null, travail, "lancer-" + crees.incrementAndGet(), PILE);
+            Thread fil = new Thread(null, travail, "lancer-" + nombreDeFils.incrementAndGet(), PILE);
             fil.setDaemon(true);
             return fil;
         });
-        CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
+        CompletionService<Void> achevements = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {
             for (Runnable travail : travaux) {
-                finis.submit(travail, null);
+                achevements.submit(travail, null);
             }
             for (int k = 0; k < travaux.size(); k++) {
-                finis.take().get();
+                achevements.take().get();
             }
             acheve = true;
         } catch (ExecutionException e) {
@@ -71,7 +71,7 @@ public final class Equipe {
     /** Le numéro de la première tâche que nul n'a prise. @throws CancellationException si l'équipe est arrêtée */
     public int prendre() {
         obeir();
-        return suivante.getAndIncrement();
+        return prochaineTache.getAndIncrement();
     }
 
     /** Attend la fin de ces fils, une seconde au plus ; l'interruption du fil appelant est gardée pour la suite. */

@@ -13,7 +13,7 @@ public final class Fautes {
 
     private final int largeur;
     private final BitSet pixels = new BitSet();
-    private PixelFautif premiere;
+    private PixelFautif premiereFaute;
     private volatile boolean tolerees;
 
     /** @param largeur celle de l'image, en pixels */
@@ -39,8 +39,8 @@ public final class Fautes {
         }
         // Java ne donne plus de pile à une exception souvent levée : elle ne dirait pas où
         boolean situee = faute.getCause().getStackTrace().length > 0;
-        if (premiere == null || situee && rang(faute) < rang(premiere)) {
-            premiere = faute;
+        if (premiereFaute == null || situee && rang(faute) < rang(premiereFaute)) {
+            premiereFaute = faute;
         }
         pixels.set(rang(faute));
         return MAGENTA;
@@ -52,7 +52,7 @@ public final class Fautes {
 
     /** Repeint les pixels fautifs de ce pavé : un échantillonnage a pu mêler leur couleur à des couleurs justes. */
     public synchronized void peindre(Pave pave, Toile toile) {
-        for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {
+        for (int j = pave.j0; j < pave.j1 && premiereFaute != null; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
                 if (pixels.get(j * largeur + i)) {
                     toile.drawPixel(MAGENTA, i, j);
@@ -70,6 +70,6 @@ public final class Fautes {
 
     /** La première faute située, ligne par ligne, {@code null} s'il n'y en a pas. */
     public synchronized PixelFautif getPremiere() {
-        return premiere;
+        return premiereFaute;
     }
 }

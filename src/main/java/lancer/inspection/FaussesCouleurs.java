@@ -130,7 +130,7 @@ public final class FaussesCouleurs {
         lancer.getAtelier().dessiner(echantillonnage, lancer.getVues(profondeur), toile, fils);
     }
 
-    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs ; la somme, si un pixel est vu deux fois. */
+    /** Le nombre que cet échantillonnage donne à chaque pixel comme couleur ; la somme, s'il est vu deux fois. */
     private double[] nombrer(Echantillonnage echantillonnage) {
         double[] nombres = new double[image.largeur * image.hauteur];
         tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] += n.r);
