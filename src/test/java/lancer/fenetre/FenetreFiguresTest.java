@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.AWTException;
 import java.awt.Color;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -93,25 +94,17 @@ class FenetreFiguresTest extends EssaiInspecteur {
                 scene.toString()).start();
         Robot robot = new Robot();
         Point coin = new Point();
-        attendre("l'anneau", () -> {
-            // sur un si petit écran, le panneau déplace l'image en s'ouvrant ; F2 y cache la figure : elle se retrouve
+        attendre("l'image", () -> voir(attendue, coin));
+        cliquer(robot, coin);
+        attendre("la figure la couvre", () -> !voir(attendue, coin));
+        // sur un si petit écran, le panneau déplace l'image en s'ouvrant ; F2 y cache la figure : elle se retrouve
+        attendre("l'image, à sa nouvelle place", () -> {
             robot.keyPress(KeyEvent.VK_F2);
             robot.keyRelease(KeyEvent.VK_F2);
-            Point ici = Ecran.trouver(attendue, L);
-            if (ici == null) {
-                return false;
-            }
-            coin.setLocation(ici);
-            robot.mouseMove(coin.x + 150, coin.y + 110);
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-            boolean entoure = false;
-            for (int k = 0; k < 20 && !entoure; k++) {
-                Thread.sleep(50);
-                entoure = estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
-            }
-            return entoure;
+            return voir(attendue, coin);
         });
+        cliquer(robot, coin);
+        attendre("l'anneau", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
@@ -127,6 +120,19 @@ class FenetreFiguresTest extends EssaiInspecteur {
         });
         assertEquals(0, programme.exitValue());
         assertEquals(0, Files.size(dossier.resolve("dit.txt")));
+    }
+
+    /** Vrai si l'on voit cette image entière, dont le coin est alors celui-ci. */
+    private static boolean voir(int[] attendue, Point coin) throws AWTException {
+        Point ici = Ecran.trouver(attendue, L);
+        coin.setLocation(ici == null ? coin : ici);
+        return ici != null;
+    }
+
+    private static void cliquer(Robot robot, Point coin) {
+        robot.mouseMove(coin.x + 150, coin.y + 110);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     }
 
     /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
