@@ -17,7 +17,7 @@ public final class Auto {
 
     /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
-    /** Ce par quoi un échelon divise à peu près l'erreur du précédent. */
+    /** Ce par quoi un échelon divise à peu près l'erreur du précédent, là où l'essai n'en voit pas. */
     private static final double GAIN = 1.4;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
@@ -30,7 +30,10 @@ public final class Auto {
     private final double voulue;
     private final int fils;
     private final SplittableRandom hasard;
+    private final Echantillon essai;
+    /** L'échelon choisi, et son erreur sur les pixels de l'essai. */
     private int rang;
+    private Mesure essaye;
     private Lancer lancer;
     private Mesure mesure;
     private long rayons;
@@ -44,18 +47,17 @@ public final class Auto {
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
         int pixels = prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur();
-        Echantillon echantillon = new Echantillon(prepare, fils, k -> Constantes.CIEL, voulue, pixels, PAVES, hasard);
-        Mesure ici = echantillon.essayer(getChoisi());
-        while (PRUDENCE * ici.erreur > voulue && rang < echelle.size() - 1) {
-            Mesure suivante = echantillon.essayer(echelle.get(rang + 1));
+        essai = new Echantillon(prepare, fils, k -> Constantes.CIEL, voulue, pixels, PAVES, hasard);
+        essaye = essai.essayer(getChoisi());
+        while (PRUDENCE * essaye.erreur > voulue && rang < echelle.size() - 1) {
+            Mesure suivante = essai.essayer(echelle.get(rang + 1));
             // ce qui reste n'est peut-être que le hasard des références : seule leur différence en est libre
-            if (ici.plus(-SUR) == 0 && ici.moins(suivante).plus(SUR) < voulue / 2) {
+            if (essaye.plus(-SUR) == 0 && essaye.moins(suivante).plus(SUR) < voulue / 2) {
                 break;
             }
             rang++;
-            ici = suivante;
+            essaye = suivante;
         }
-        rayons += echantillon.rayons;
         lancer = prepare.avec(getChoisi().getModele());
     }
 
@@ -80,15 +82,22 @@ public final class Auto {
                 lancer.getAtelier().getCompteurs().primaires, Integer.MAX_VALUE, hasard);
         mesure = controle.mesurer(dessinee);
         rayons += controle.rayons;
-        if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
-            // essayer des échelons sur ces pixels, de toute l'image, coûterait autant que de les dessiner
-            double manque = Math.log(PRUDENCE * mesure.erreur / voulue) / Math.log(GAIN);
-            rang = Math.min(echelle.size() - 1, rang + (int) Math.ceil(manque));
+        if (premiere && mesure.erreur > voulue && rang < echelle.size() - 1) {
             rayons += lancer.getAtelier().getCompteurs().rayons();
+            monter(voulue / (PRUDENCE * mesure.erreur));
             lancer = prepare.avec(getChoisi().getModele());
             return false;
         }
         return true;
+    }
+
+    /** Choisit le premier échelon plus cher qui ne laisse au plus que cette part de l'erreur, d'après l'essai. */
+    private void monter(double part) {
+        double reste = 1;
+        while (reste > part && rang < echelle.size() - 1) {
+            rang++;
+            reste = essaye.aUnIntervalle ? essai.essayer(getChoisi()).erreur / essaye.erreur : reste / GAIN;
+        }
     }
 
     public Mesure getMesure() {
@@ -97,7 +106,7 @@ public final class Auto {
 
     /** Nombre de rayons de toutes sortes des essais, des contrôles et des images remplacées. */
     public long getRayonsDesEssais() {
-        return rayons;
+        return rayons + essai.rayons;
     }
 
     /** L'erreur voulue est tenue, dépassée ou incertaine : ce qui se dit d'une erreur qui a été vue. */

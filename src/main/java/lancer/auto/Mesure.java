@@ -18,16 +18,24 @@ public final class Mesure {
     /** Le carré d'un demi-niveau : en dessous, une couleur est juste. */
     private static final double JUSTE = 0.25;
 
+    /** Nombre de pixels en dessous duquel leur dispersion ne donne pas d'intervalle. */
+    private static final int ASSEZ = 6;
+    /** Part du carré de l'erreur que porte un seul des pixels tirés, au-dessus de laquelle ses semblables sont rares. */
+    private static final double RARE = 0.3;
+
     /** L'erreur ; la plus grande de ses distances aux bornes de son intervalle de confiance à 95 %. */
     public final double erreur;
     public final double incertitude;
-    /** Vrai si aucun pixel tiré ne s'écarte de ses références : rien ne se sait alors des autres. */
-    public final boolean rienVu;
+    /** Faux si trop peu de pixels sont tirés, ou si aucun ne s'écarte de ses références : rien ne se sait des autres. */
+    public final boolean aUnIntervalle;
+    private final boolean rienVu;
+    /** Vrai si l'image a des détails si rares que l'échantillon n'en a rencontré qu'un. */
+    private final boolean rares;
     private final double[] poids;
     private final double plusGrand;
     private final double[] carres;
     private final double carre;
-    /** L'écart type de ce carré ; puis, vers le haut, celui qui tient compte de ce qui a pu manquer. */
+    /** L'écart type de ce carré, et celui qui y ajoute, vers le haut, ce qui a pu manquer. */
     private final double bas;
     private final double haut;
 
@@ -44,8 +52,10 @@ public final class Mesure {
         bas = Math.sqrt(pourChacun(k -> Math.pow(poids[k] * (carres[k] - carre), 2)).sum()) / tous;
         // plusieurs écarts comme le plus grand ont pu manquer
         double manque = pourChacun(k -> poids[k] * carres[k]).reduce(0, Math::max) / tous;
-        haut = Math.hypot(bas, ZERO_VU / NORMALE * manque);
+        haut = bas + ZERO_VU / NORMALE * manque;
         rienVu = Arrays.stream(carres).allMatch(c -> Math.abs(c) <= JUSTE);
+        aUnIntervalle = !rienVu && poids.length >= ASSEZ;
+        rares = manque > RARE * carre;
         erreur = plus(0);
         incertitude = Math.max(erreur - plus(-NORMALE), plus(NORMALE) - erreur);
     }
@@ -64,12 +74,23 @@ public final class Mesure {
         return new Mesure(poids, pourChacun(k -> carres[k] - autre.carres[k]).toArray());
     }
 
-    /** L'erreur et son intervalle, ou qu'aucun écart n'a été vu ; et ce qui peut manquer. */
+    /** L'erreur et son intervalle, ou qu'aucun écart n'a été vu ; et ce qui a pu échapper. */
     public String enMots() {
-        String vu = rienVu ? "aucun écart sur " + poids.length + " pixels"
-                : String.format(Locale.ROOT, "erreur de %.2f ± %.2f", erreur, incertitude);
         double detail = Arrays.stream(poids).sum() / plusGrand / 3;
-        return plusGrand == 1 ? vu
-                : String.format(Locale.ROOT, "%s ; un détail de moins d'un pixel sur %.0f peut manquer", vu, detail);
+        return direLErreur() + (aUnIntervalle && rares ? " hors détails rares" : "") + (plusGrand == 1 ? ""
+                : String.format(Locale.ROOT, " ; pixels tirés au hasard : un détail plus petit que 1/%.0f de l'image a pu "
+                + "échapper", detail));
+    }
+
+    private String direLErreur() {
+        if (rienVu) {
+            return "aucun écart sur " + poids.length + " pixels";
+        }
+        if (!aUnIntervalle) {
+            return String.format(Locale.ROOT, "erreur de %.2f, sans intervalle : l'image est trop petite", erreur);
+        }
+        // une estimation négative du carré ne dit que la borne du haut
+        return carre <= 0 ? String.format(Locale.ROOT, "erreur d'au plus %.2f", incertitude)
+                : String.format(Locale.ROOT, "erreur de %.2f ± %.2f", erreur, incertitude);
     }
 }

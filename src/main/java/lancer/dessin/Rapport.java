@@ -24,7 +24,7 @@ public final class Rapport {
         if (dessin.auto != null) {
             Mesure mesure = dessin.auto.getMesure();
             Messages.avertir("auto, choisi : " + Echelle.dire(dessin.auto.getChoisi()), erreur);
-            Messages.avertir("auto, mesuré : " + mesure.enMots() + (mesure.rienVu ? ""
+            Messages.avertir("auto, mesuré : " + mesure.enMots() + (!mesure.aUnIntervalle ? ""
                     : " ; " + dessin.auto.getVerdict()), erreur);
         }
         if (dessin.ecart != null) {
@@ -49,7 +49,7 @@ public final class Rapport {
             return texte;
         }
         Mesure mesure = dessin.auto.getMesure();
-        String incertitude = mesure.rienVu ? ""
+        String incertitude = !mesure.aUnIntervalle ? ""
                 : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
         return texte + String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d",
                 mesure.erreur, incertitude, dessin.auto.getRayonsDesEssais());

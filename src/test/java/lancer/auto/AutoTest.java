@@ -127,7 +127,7 @@ class AutoTest {
         // sous le seuil 1/1024, un reflet n'est plus suivi
         double manque = 255 * 0.9 * Math.pow(ks, Math.min(reflets, 10) + 1);
         assertEquals(manque, auto.getMesure().erreur, 0.02 * manque);
-        assertEquals(manque <= 0.5, auto.getMesure().rienVu);
+        assertEquals(manque > 0.5, auto.getMesure().aUnIntervalle);
         assertEquals("erreur voulue tenue", auto.getVerdict());
     }
 
@@ -153,9 +153,9 @@ class AutoTest {
         Auto auto = auto(CIEL, 80, 60, GRILLES, 0.1);
         assertTrue(dire(auto).startsWith("[Grille] n=1, "), dire(auto));
         dessiner(auto);
-        assertTrue(auto.getMesure().rienVu, "" + auto.getMesure().erreur);
+        assertTrue(!auto.getMesure().aUnIntervalle, "" + auto.getMesure().erreur);
         String dit = auto.getMesure().enMots();
-        assertTrue(dit.matches("aucun écart sur (1[5-9]|2[0-4]). pixels ; un détail de moins d'un pixel sur [3-8]. peut manquer"), dit);
+        assertTrue(dit.matches("aucun écart sur (1[5-9]|2[0-4]). pixels ; pixels tirés au hasard : un détail plus petit que 1/[3-8]. de l'image a pu échapper"), dit);
     }
 
     @Test
@@ -191,7 +191,7 @@ class AutoTest {
         Auto repris = new Auto(prepare, Arrays.asList(faux, juste, juste), 1, 2);
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
-        assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
+        assertTrue(!repris.getMesure().aUnIntervalle, "le réglage juste l'est partout");
         // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et les pavés de l'essai
         assertEquals(2 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
         Auto depasse = new Auto(prepare, Arrays.asList(faux, faux), 1, 2);
@@ -219,7 +219,7 @@ class AutoTest {
         image[12_345] = new Couleur(loin(juste.r), loin(juste.v), loin(juste.b));
         Mesure mesure = echantillon(prepare, rang -> image[rang], 1).mesurer(rang -> image[rang]);
         assertEquals(0.5 * 255 / Math.sqrt(image.length), mesure.erreur, 0.1);
-        assertTrue(!mesure.rienVu);
+        assertTrue(mesure.aUnIntervalle);
     }
 
     @Test
@@ -302,7 +302,7 @@ class AutoTest {
             Couleur[] image = dessiner(auto);
             double vraie = vraie(auto.getLancer(), image);
             // là où rien n'est vu, aucun intervalle n'est annoncé
-            contenues += auto.getMesure().rienVu || Math.abs(auto.getMesure().erreur - vraie) <= auto.getMesure().incertitude ? 1 : 0;
+            contenues += !auto.getMesure().aUnIntervalle || Math.abs(auto.getMesure().erreur - vraie) <= auto.getMesure().incertitude ? 1 : 0;
             dits.add(vraie + " : " + auto.getMesure().erreur + " ± " + auto.getMesure().incertitude);
         }
         assertTrue(contenues >= 11, dits.toString());

@@ -20,7 +20,7 @@ class CommandeAutoTest extends EssaiCommande {
         assertEquals(2, lignes.length, e.erreur);
         assertTrue(lignes[0].matches("lancer : auto, choisi : un rayon par pixel, --reflets [0-9]+ --seuil [0-9.]+"), lignes[0]);
         assertTrue(lignes[1].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ ; "
-                + "un détail de moins d'un pixel sur [0-9]+ peut manquer ; "
+                + "pixels tirés au hasard : un détail plus petit que 1/[0-9]+ de l'image a pu échapper ; "
                 + "erreur voulue tenue"), lignes[1]);
         verifierFichiers("image.png", "image.pfm");
     }

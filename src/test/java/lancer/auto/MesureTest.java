@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /** Ce que l'on sait d'une image par quelques-uns de ses pixels. */
@@ -37,7 +38,29 @@ class MesureTest {
         carres[0] = 100;
         Mesure mesure = new Mesure(poids, carres);
         assertEquals(1, mesure.erreur, 1e-12);
-        assertEquals(Math.sqrt(1 + 1.96 * Math.hypot(1, 3.69 / 1.96)), mesure.plus(1.96), 0.01);
+        assertEquals(Math.sqrt(1 + 1.96 + 3.69), mesure.plus(1.96), 0.01, "ce que le hasard ôte, et ce qui a pu manquer, s'ajoutent");
         assertEquals(0, mesure.plus(-1.96), "il a pu ne pas y en avoir d'autre");
+        assertEquals("erreur de 1.00 ± 1.58 hors détails rares", mesure.enMots());
+        Arrays.fill(carres, 0, 30, 100);
+        assertEquals("erreur de 5.48 ± 1.06", new Mesure(poids, carres).enMots(), "trente écarts ne sont pas rares");
+    }
+
+    @Test
+    void uneEstimationNegativeNeDonneQueSaBorne() {
+        Mesure mesure = new Mesure(new double[] {20, 20, 20, 20, 20, 20, 20, 20}, new double[] {-3, -3, -3, -3, 1, 1, 1, 1});
+        assertEquals(0, mesure.erreur);
+        assertEquals("erreur d'au plus " + String.format(Locale.ROOT, "%.2f", mesure.plus(1.96)) + " hors détails rares"
+                + " ; pixels tirés au hasard : un détail plus petit que 1/3 de l'image a pu échapper", mesure.enMots());
+        assertEquals(mesure.plus(1.96), mesure.incertitude);
+    }
+
+    @Test
+    void cinqPixelsNeDonnentPasDIntervalleNiCeuxQuiSontTousJustes() {
+        double[] six = {9, 1, 9, 1, 9, 1};
+        assertTrue(new Mesure(new double[] {1, 1, 1, 1, 1, 1}, six).aUnIntervalle);
+        Mesure cinq = new Mesure(new double[] {1, 1, 1, 1, 1}, Arrays.copyOf(six, 5));
+        assertTrue(!cinq.aUnIntervalle);
+        assertEquals("erreur de 2.41, sans intervalle : l'image est trop petite", cinq.enMots());
+        assertEquals("aucun écart sur 6 pixels", new Mesure(new double[] {1, 1, 1, 1, 1, 1}, new double[6]).enMots());
     }
 }

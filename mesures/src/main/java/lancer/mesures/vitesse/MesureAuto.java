@@ -19,6 +19,7 @@ import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
 import lancer.auto.Echelle;
+import lancer.auto.Mesure;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
@@ -56,45 +57,34 @@ public final class MesureAuto {
     /** Erreur, en niveaux, au-dessus de laquelle la demi-largeur de l'intervalle est comparée à l'erreur. */
     private static final double SENSIBLE = 0.3;
 
-    /** Une demande, et ce qui en est su ; des nombres de rayons par pixel. NaN s'il n'y a pas d'intervalle, ou d'échelon qui tienne. */
+    /** Une demande, et ce qui en est su, en une ligne ; des rayons par pixel. NaN s'il n'y a pas d'intervalle, ou d'échelon qui tienne. */
     static final class Reponse {
 
-        String scene;
-        String taille;
-        double voulue;
-        String reglage;
-        double vraie;
-        double mesuree;
-        double incertitude;
-        String verdict;
-        double rayons;
-        double essais;
-        double moinsCher;
-        String commit;
-        String date;
+        final String ligne;
+        final String sorte;
+        final double voulue;
+        final double vraie;
+        final double mesuree;
+        final double incertitude;
+        final String verdict;
+        final double rayons;
+        final double essais;
+        final double moinsCher;
+        final String quand;
 
-        String ligne() {
-            return FichierCsv.ligne(scene, taille, voulue, reglage, Nombres.champ(vraie), Nombres.champ(mesuree),
-                    Nombres.champ(incertitude), verdict, Nombres.champ(rayons), Nombres.champ(essais), Nombres.champ(moinsCher), commit,
-                    date);
-        }
-
-        static Reponse lire(String... c) {
-            Reponse r = new Reponse();
-            r.scene = c[0];
-            r.taille = c[1];
-            r.voulue = Nombres.champ(c[2]);
-            r.reglage = c[3];
-            r.vraie = Nombres.champ(c[4]);
-            r.mesuree = Nombres.champ(c[5]);
-            r.incertitude = Nombres.champ(c[6]);
-            r.verdict = c[7];
-            r.rayons = Nombres.champ(c[8]);
-            r.essais = Nombres.champ(c[9]);
-            r.moinsCher = Nombres.champ(c[10]);
-            r.commit = c[11];
-            r.date = c[12];
-            return r;
+        /** @param c un champ par colonne */
+        Reponse(String... c) {
+            ligne = FichierCsv.ligne((Object[]) c);
+            sorte = sorte(c[0]);
+            voulue = Nombres.champ(c[2]);
+            vraie = Nombres.champ(c[4]);
+            mesuree = Nombres.champ(c[5]);
+            incertitude = Nombres.champ(c[6]);
+            verdict = c[7];
+            rayons = Nombres.champ(c[8]);
+            essais = Nombres.champ(c[9]);
+            moinsCher = Nombres.champ(c[10]);
+            quand = c[11] + " " + c[12];
         }
 
         boolean aUnIntervalle() {
@@ -118,8 +108,8 @@ public final class MesureAuto {
         }
         for (String nom : noms) {
             for (Reponse reponse : repondre(nom, Scenes.lire(Scenes.fichier(nom, dossier)), TAILLE, VOULUES)) {
-                lignes.add(reponse.ligne());
-                System.out.println(reponse.ligne());
+                lignes.add(reponse.ligne);
+                System.out.println(reponse.ligne);
             }
         }
         Files.write(csv, lignes);
@@ -150,21 +140,15 @@ public final class MesureAuto {
             do {
                 auto.getLancer().TracerImage(image, auto.getChoisi().getProfondeur(), taille.fils);
             } while (!auto.controler(image::getCouleur));
-            Reponse r = new Reponse();
-            r.scene = nom;
-            r.taille = taille.toString();
-            r.voulue = voulue;
-            r.reglage = Echelle.dire(auto.getChoisi()).replace(',', ' ');
-            r.vraie = erreur(image, gabarit);
-            r.mesuree = auto.getMesure().erreur;
-            r.incertitude = auto.getMesure().rienVu ? Double.NaN : auto.getMesure().incertitude;
-            r.verdict = auto.getMesure().rienVu ? "rien vu" : auto.getVerdict().replace("erreur voulue ", "");
-            r.rayons = (double) auto.getLancer().getAtelier().getCompteurs().rayons() / taille.pixels();
-            r.essais = (double) auto.getRayonsDesEssais() / taille.pixels();
-            r.moinsCher = prix.headMap(voulue, true).values().stream().mapToDouble(p -> p).min().orElse(Double.NaN);
-            r.commit = c.commit;
-            r.date = c.date.replaceFirst("T.*", "");
-            reponses.add(r);
+            Mesure mesure = auto.getMesure();
+            reponses.add(new Reponse(nom, taille.toString(), String.valueOf(voulue), Echelle.dire(auto.getChoisi()).replace(',', ' '),
+                    Nombres.champ(erreur(image, gabarit)), Nombres.champ(mesure.erreur),
+                    mesure.aUnIntervalle ? Nombres.champ(mesure.incertitude) : "",
+                    mesure.aUnIntervalle ? auto.getVerdict().replace("erreur voulue ", "") : "rien vu",
+                    Nombres.champ((double) auto.getLancer().getAtelier().getCompteurs().rayons() / taille.pixels()),
+                    Nombres.champ((double) auto.getRayonsDesEssais() / taille.pixels()),
+                    Nombres.champ(prix.headMap(voulue, true).values().stream().mapToDouble(p -> p).min().orElse(Double.NaN)),
+                    c.commit, c.date.replaceFirst("T.*", "")));
         }
         return reponses;
     }
@@ -173,21 +157,28 @@ public final class MesureAuto {
         return Intervalle.deLaRacine(gabarit.carres(image)).valeur;
     }
 
-    /** Tableau de la page : une ligne par taille. */
-    static String tableau(List<String[]> lues) {
-        List<Reponse> reponses = lues.stream().map(Reponse::lire).collect(Collectors.toList());
-        List<String> titres = Arrays.asList("image", "l'intervalle contient l'erreur vraie", "dites « tenue »", "à tort",
-                "dites « dépassée » ou « incertaine »", "rien vu", "demi-largeur plus petite que l'erreur", "rayons, médiane",
-                "rayons, au pire");
-        return Tableaux.table(titres, reponses.stream().map(r -> r.taille).distinct().map(taille -> bilan(taille,
-                reponses.stream().filter(r -> r.taille.equals(taille)).collect(Collectors.toList()))).collect(Collectors.toList()))
-                + Tableaux.source(reponses.stream().min(Comparator.comparing(r -> r.date)).map(r -> r.commit + " " + r.date).orElse(""));
+    private static String sorte(String scene) {
+        if (Scenes.RARES.contains(scene) || scene.startsWith("poussiere")) {
+            return "détails rares";
+        }
+        return scene.startsWith(Scenes.FOULE) || Scenes.DIFFICILES.contains(scene) ? "foules, ombres fines" : "scènes communes";
     }
 
-    private static List<String> bilan(String taille, List<Reponse> reponses) {
+    /** Tableau de la page : une ligne par sorte de scène. */
+    static String tableau(List<String[]> lues) {
+        List<Reponse> reponses = lues.stream().map(Reponse::new).collect(Collectors.toList());
+        List<String> titres = Arrays.asList("", "l'intervalle contient l'erreur vraie", "dites « tenue »", "à tort",
+                "dites « dépassée » ou « incertaine »", "rien vu", "demi-largeur plus petite que l'erreur", "rayons, médiane",
+                "rayons, au pire");
+        return Tableaux.table(titres, reponses.stream().map(r -> r.sorte).distinct().map(sorte -> bilan(sorte,
+                reponses.stream().filter(r -> r.sorte.equals(sorte)).collect(Collectors.toList()))).collect(Collectors.toList()))
+                + Tableaux.source(reponses.stream().map(r -> r.quand).min(Comparator.comparing(q -> q.replaceFirst(".* ", ""))).orElse(""));
+    }
+
+    private static List<String> bilan(String sorte, List<Reponse> reponses) {
         double[] prix = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.moinsCher).filter(p -> !Double.isNaN(p)).toArray();
         double pire = Arrays.stream(prix).max().orElse(Double.NaN);
-        return Arrays.asList(taille.replace("x", " × "),
+        return Arrays.asList(sorte,
                 compte(reponses, Reponse::aUnIntervalle, r -> Math.abs(r.mesuree - r.vraie) <= r.incertitude),
                 compte(reponses, r -> true, r -> r.verdict.equals("tenue")),
                 compte(reponses, r -> r.verdict.equals("tenue"), r -> r.vraie > r.voulue),

@@ -26,26 +26,26 @@ class MesureAutoTest {
         List<MesureAuto.Reponse> reponses = MesureAuto.repondre("sort-3", SceneAuHasard.de(3), new Taille(96, 72), 2, 4, 8);
         double prix = Double.POSITIVE_INFINITY;
         for (MesureAuto.Reponse r : reponses) {
-            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne());
-            assertTrue(r.moinsCher <= prix && r.rayons > 0 && r.essais > 0, r.ligne());
+            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne);
+            assertTrue(r.moinsCher <= prix && r.rayons > 0 && r.essais > 0, r.ligne);
             prix = r.moinsCher;
         }
-        String bilan = bilan(reponses.stream().map(MesureAuto.Reponse::ligne).collect(Collectors.toList()));
-        assertTrue(bilan.startsWith("| 96 × 72 | 3 fois sur 3 | "), bilan);
+        String bilan = bilan(reponses.stream().map(r -> r.ligne).collect(Collectors.toList()));
+        assertTrue(bilan.startsWith("| scènes communes | 3 fois sur 3 | "), bilan);
     }
 
     /** Une étoile dans le noir : ni son erreur ni une autre ne sont annoncées de ce qui n'a pas été vu. */
     @Test
     void deCeQuiNEstPasVuRienNEstAnnonce(@TempDir Path dossier) throws IOException {
         for (MesureAuto.Reponse r : MesureAuto.repondre("etoile", Scenes.lire(Scenes.fichier("etoile", dossier)), new Taille(96, 72), 1)) {
-            assertTrue(r.verdict.equals("rien vu") == Double.isNaN(r.incertitude), r.ligne());
-            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne());
+            assertTrue(r.verdict.equals("rien vu") == Double.isNaN(r.incertitude), r.ligne);
+            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne);
         }
     }
 
     @Test
     void ceQuiEstTenuEtSonPrixSontComptes() {
-        assertEquals("| 10 × 10 | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | × 1,5 | × 1,5 "
+        assertEquals("| scènes communes | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | × 1,5 | × 1,5 "
                 + "|",
                 bilan(Arrays.asList("a,10x10,2,r,1,1.2,0.3,tenue,10,5,10,c,d", "b,10x10,2,r,2.5,2,0.4,tenue,10,10,,c,d",
                         "c,10x10,2,r,4,5,1,dépassée,10,5,10,c,d", "d,10x10,2,r,4,0,,rien vu,10,5,10,c,d")));
