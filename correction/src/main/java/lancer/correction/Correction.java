@@ -118,7 +118,7 @@ public final class Correction {
             }
             return 0;
         } catch (Panne e) {
-            erreur.println("correction : " + Texte.protege(e.getMessage()));
+            erreur.println("correction : " + Texte.protege(e.getMessage(), Integer.MAX_VALUE));
             return e.code;
         } catch (IOException e) {
             erreur.println("correction : lecture ou écriture impossible : " + Texte.protege(e.toString()));
@@ -215,12 +215,15 @@ public final class Correction {
         List<Eleve> eleves = resultats.stream().map(r -> new Eleve(r, DossierDeResultats.nom(r.id) + ".html", grille, bareme,
                 ajustements.de(r.id))).collect(Collectors.toList());
         eleves.sort(Comparator.comparing((Eleve e) -> e.resultat.nom, Depot::comparer).thenComparing(e -> e.resultat.id, Depot::comparer));
-        List<String> avis = new ArrayList<>(ajustements.fautes);
+        List<String> avis = new ArrayList<>();
         Ressemblances.dire(eleves, avis);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
         avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream().mapToInt(r -> r.entrees.size())), avis);
+        int dits = avis.size();
+        List<Eleve> manques = new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream()
+                .mapToInt(r -> r.entrees.size())), avis);
+        avis.stream().skip(dits).forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");
@@ -238,6 +241,9 @@ public final class Correction {
                 .collect(Collectors.joining(", "));
         if (!nonCorriges.isEmpty()) {
             throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; à juger de nouveau : " + nonCorriges);
+        } else if (!manques.isEmpty()) {
+            throw new Panne(1, "des pages n'ont pas été écrites : " + manques.stream().map(e -> e.resultat.qui())
+                    .collect(Collectors.joining(", ")));
         }
     }
 }

@@ -135,13 +135,6 @@ class ClasseTest extends ClasseEssai {
         return essai;
     }
 
-    private static String ajuster(String lignes) throws IOException {
-        Files.writeString(dossier.resolve("ajustements.csv"), lignes);
-        String dit = renoter().erreur;
-        Files.delete(dossier.resolve("ajustements.csv"));
-        return dit;
-    }
-
     @Test
     void noterNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
         Path bareme = dossier.resolve("autre.ini");
@@ -291,10 +284,19 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void desPointsDonnesALaMainComptentEtUneLigneFausseNeCouteQuElle() throws IOException {
-        String dit = ajuster("id,critère,points,commentaire\n101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n");
-        contient(dit, "ligne 3 : l'étudiant « 999 » n'existe pas", "ligne 4 : le critère « flou » n'existe pas",
-                "ligne 5 : « sphere » a déjà été donné à « 101 » plus haut");
+    void desPointsDonnesALaMainComptentEtToutesLesLignesFautivesSontNommeesSansRienNoter() throws IOException {
+        Path ajustements = dossier.resolve("ajustements.csv");
+        String titres = "id,critère,points,commentaire\n";
+        Files.writeString(ajustements, titres + "101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n104,lambert,25,\n");
+        String index = Files.readString(dossier.resolve("index.html"));
+        Essai essai = executer("--noter", "--sortie", dossier);
+        assertEquals(2, essai.code);
+        contient(essai.erreur, "ligne 3, l'étudiant « 999 » n'existe pas", "ligne 4, le critère « flou » n'existe pas",
+                "ligne 5, « sphere » a déjà été donné à « 101 » plus haut", "ligne 6, « 25 » ; attendu : de 0 à 2.0 pour « lambert »");
+        assertEquals(index, Files.readString(dossier.resolve("index.html")));
+        Files.writeString(ajustements, titres + "101,sphere,2.5,vu en TP\n");
+        renoter();
+        Files.delete(ajustements);
         assertEquals(Double.parseDouble(classe.get("101").get("note")) + 2.5, Double.parseDouble(classe(dossier).get("101").get("note")),
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));

@@ -162,9 +162,41 @@ class NotesTest extends ClasseEssai {
         ajuster("7001,soutenance orale,3,\n7001,trois jours,1,\n7002,consignes,-2,\n7001,absences,-1,\n");
         contient(renoter().erreur, "« 3 » ; attendu : de 0 à 2.5", "« 1 » ; attendu : de -4.0 à 0",
                 "« absences » n'existe pas ; attendu : un parmi vecteurs", "ou une ligne de plus dans bareme.ini : bonus=+1, retard=-2");
-        assertEquals("17.00/20.00", note("7001"));
+        assertEquals("20.00/20.00", note("7001"), "la note d'avant");
         baremer("sphere=-1\n");
         contient(renoter().erreur, "« -1 » ; attendu : un nombre de 0 à 9999\n");
+    }
+
+    @Test
+    void unePageQuiEchoueEstNommeeEtNeCouteQuElle() throws IOException {
+        String juge = Files.readString(resultat("7001"));
+        Files.writeString(resultat("7001"), juge.replaceFirst("\"remarques\":\\[", "\"remarques\":[null,"));
+        Files.delete(dossier.resolve("etudiants/7002.html"));
+        Essai essai = renoter();
+        assertEquals(1, essai.code);
+        contient(essai.erreur, "des pages n'ont pas été écrites : ");
+        contient(page(dossier, "7001"), "17 points sur 20 ; le reste de cette page n'a pu être écrit");
+        contient(page(dossier, "7002"), "<h2>Les images</h2>");
+        contient(Files.readString(dossier.resolve("index.html")), "la page de Ólafur", "7002");
+        Files.writeString(resultat("7001"), juge);
+        renoter();
+    }
+
+    @Test
+    void leCodageDUneFeuilleEstCeluiQueDisentSesTitresOuElleEstRefusee() throws IOException {
+        String lignes = "Participant 7001,é,,\"20\u00A0,00\",-,à voir\nParticipant 7002,ç,5,\"20,00\",-,très soigné ; ça marche\n";
+        for (String codage : List.of("windows-1252", "x-MacRoman", "IBM850")) {
+            Path feuille = dossier.resolve("codee.csv");
+            Files.write(feuille, ("Identifiant,Nom complet,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n" + lignes)
+                    .getBytes(codage));
+            assertEquals(0, renoter("--notes", feuille).code, codage);
+            String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), codage);
+            contient(ecrit, "Participant 7002,ç,5,\"20,00\",-,très soigné ; ça marche\n", "à voir", "étape atteinte, « ");
+            Files.write(feuille, (TITRES + lignes).getBytes(codage));
+            Essai anglaise = renoter("--notes", feuille);
+            assertEquals(codage.equals("windows-1252") ? 0 : 2, anglaise.code, anglaise.erreur);
+            assertTrue(anglaise.code == 0 || anglaise.erreur.contains("CSV UTF-8"), anglaise.erreur);
+        }
     }
 
     @Test
@@ -213,12 +245,12 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void desClassesEcritesPareilSontDitesADeuxEtudiants() throws IOException {
-        changer("7001", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"a\"");
-        changer("7002", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"b\"");
+        changer("7001", "\"formes\":{", "\"formes\":{\"Sphere.f\":\"s\",\"Scene.g\":\"a\"");
+        changer("7002", "\"formes\":{", "\"formes\":{\"Sphere.autre\":\"s\",\"Scene.g\":\"b\"");
         renoter();
         contient(classe(dossier).get("7001").get("à regarder"), "écrit comme chez Zoé N’Guyen (7002), "
                 + "aux noms et aux commentaires près : "
-                + "Sphere");
+                + "Sphere.f");
         contient(classe(dossier).get("7002").get("à regarder"), "écrit comme chez Ólafur Þór (7001), "
                 + "aux noms et aux commentaires près : "
                 + "Sphere");

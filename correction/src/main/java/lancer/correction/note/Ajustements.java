@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import lancer.correction.Panne;
 import lancer.correction.depot.Source;
 import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
@@ -21,8 +22,7 @@ import org.apache.commons.csv.CSVRecord;
 
 /**
  * Les points que l'enseignant donne dans {@code ajustements.csv} : {@code id,critère,points,commentaire}, avec des virgules ou des
- * points-virgules, avec ou sans titres. Le critère est une ligne du barème. Une ligne sans nombre ne donne pas de points ; une ligne
- * fautive est signalée et ignorée.
+ * points-virgules, avec ou sans titres. Le critère est une ligne du barème. Une ligne sans nombre ne donne pas de points.
  */
 public final class Ajustements {
 
@@ -43,15 +43,18 @@ public final class Ajustements {
     }
 
     private final Map<String, Map<String, Ligne>> lignes = new HashMap<>();
-    /** Les lignes refusées, et pourquoi. */
-    public final List<String> fautes = new ArrayList<>();
 
-    /** Lit {@code ajustements.csv} dans ce dossier, s'il existe. */
+    /**
+     * Lit {@code ajustements.csv} dans ce dossier, s'il existe.
+     *
+     * @throws Panne si des lignes sont fautives : elle les nomme toutes
+     */
     public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         Path fichier = dossier.resolve("ajustements.csv");
         if (!Files.exists(fichier)) {
             return;
         }
+        List<String> fautes = new ArrayList<>();
         try {
             String texte = Source.decoder(Files.readAllBytes(fichier));
             for (CSVRecord ligne : CSVParser.parse(texte, CSVFormat.DEFAULT.builder().setIgnoreSurroundingSpaces(true)
@@ -59,11 +62,14 @@ public final class Ajustements {
                 String faute = ligne.getRecordNumber() == 1 && ligne.get(0).equalsIgnoreCase("id") ? ""
                         : prendre(ligne, ids, grille, bareme);
                 if (!faute.isEmpty()) {
-                    fautes.add("ajustements.csv, ligne " + ligne.getParser().getCurrentLineNumber() + " : " + faute);
+                    fautes.add("ligne " + ligne.getParser().getCurrentLineNumber() + ", " + faute);
                 }
             }
         } catch (IOException | RuntimeException e) {
-            fautes.add("ajustements.csv : la suite est illisible (" + e.getMessage() + ")");
+            fautes.add("la suite est illisible (" + e.getMessage() + ")");
+        }
+        if (!fautes.isEmpty()) {
+            throw new Panne(2, "ajustements.csv : " + String.join(" ; ", fautes) + " ; rien n'est noté");
         }
     }
 
@@ -89,14 +95,14 @@ public final class Ajustements {
         } else if (!points.matches("[+-]?\\d{1,4}([.,]\\d{1,6})?")) {
             return "« " + points + " » ; attendu : un nombre de points";
         }
-        // l'enseignant donne ce qu'il veut à une étape du cours, ou aux consignes
         double nombre = Double.parseDouble(points.replace(',', '.'));
         double borne = bareme.ecrits(critere);
-        if ((etape.extension || etape.libre()) && (nombre < Math.min(0, borne) || nombre > Math.max(0, borne))) {
+        // l'enseignant donne ce qu'il veut aux consignes
+        if (!critere.equals(GrilleDeNotation.CONSIGNES) && (nombre < Math.min(0, borne) || nombre > Math.max(0, borne))) {
             return "« " + points + " » ; attendu : de " + (borne < 0 ? borne + " à 0" : "0 à " + borne) + " pour « " + critere + " »";
         }
         return lignes.computeIfAbsent(id, i -> new LinkedHashMap<>()).putIfAbsent(critere, new Ligne(ligne.toList())) == null ? ""
-                : "« " + critere + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";
+                : "« " + critere + " » a déjà été donné à « " + id + " » plus haut";
     }
 
     /** Points donnés à cet étudiant, par critère. */

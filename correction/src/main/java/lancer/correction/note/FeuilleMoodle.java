@@ -11,10 +11,12 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -44,7 +46,16 @@ public final class FeuilleMoodle {
             + Pattern.quote(FIN));
     /** Le statut de qui a remis son travail, que tous ont. */
     private static final String REMIS = "^(Remis pour évaluation|Submitted for grading)[ -]*";
+    /** Les espaces, insécables comprises. */
+    private static final Pattern BLANCS = Pattern.compile("[\\s\u00A0\u202F]");
     private static final String BOM = "\uFEFF";
+
+    /** Les codages des tableurs, quand ce n'est pas l'UTF-8 : ceux de Windows, de macOS et de MS-DOS. */
+    private static final List<String> CODAGES = List.of("windows-1252", "x-MacRoman", "IBM850");
+    /** Des titres qui disent le codage : ils ont des accents. */
+    private static final Pattern ACCENTUES = Pattern.compile("Dernière modification|La note peut être modifiée");
+    /** Ce que deviennent, lues par le codage de Windows, les lettres accentuées d'un autre. */
+    private static final Pattern ETRANGERS = Pattern.compile("[‚ƒ„†‡ˆ‰Š‹Ž•˜™š›žŸ\uFFFD]");
 
     private final Path fichier;
     private final Charset codage;
@@ -66,7 +77,7 @@ public final class FeuilleMoodle {
         this.fichier = fichier;
         try {
             byte[] octets = Files.readAllBytes(fichier);
-            codage = Source.codage(octets);
+            codage = codage(octets);
             texte = new String(octets, codage);
             String titres = texte.split("[\r\n]", 2)[0];
             char separateur = Stream.of(';', '\t').filter(c -> titres.indexOf(c) >= 0).findFirst().orElse(',');
@@ -74,6 +85,8 @@ public final class FeuilleMoodle {
                     .setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n").setQuoteMode(QuoteMode.MINIMAL).get();
             lignes = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), format).stream()
                     .map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
+        } catch (Panne e) {
+            throw e;
         } catch (IOException | RuntimeException e) {
             throw new Panne(2, "feuille de notes illisible : " + fichier + " (" + e.getMessage() + ")");
         }
@@ -86,6 +99,21 @@ public final class FeuilleMoodle {
         statut = colonne(false, "Status", "Statut");
         nom = colonne(false, "Full name", "Nom complet");
         sur = maximum();
+    }
+
+    /** Le codage d'une feuille : des titres accentués le disent. @throws Panne s'il ne se sait pas */
+    private Charset codage(byte[] octets) {
+        Charset lu = Source.codage(octets);
+        if (!CODAGES.contains(lu.name())) {
+            return lu;
+        }
+        Charset dit = CODAGES.stream().filter(Charset::isSupported).map(Charset::forName)
+                .filter(c -> ACCENTUES.matcher(new String(octets, c)).find()).findFirst().orElse(lu);
+        String texte = new String(octets, dit);
+        if (dit == lu && ETRANGERS.matcher(texte).find() || !Arrays.equals(octets, texte.getBytes(dit))) {
+            throw new Panne(2, fichier + " : le codage de cette feuille ne se sait pas ; attendu : enregistrée en « CSV UTF-8 »");
+        }
+        return dit;
     }
 
     /** La place d'une colonne, d'après son titre anglais ou français, en majuscules ou non ; négative si elle manque. */
@@ -139,6 +167,8 @@ public final class FeuilleMoodle {
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
+        Set<String> vus = new HashSet<>();
+        Set<Eleve> notes = new HashSet<>();
         List<String> sansRendu = new ArrayList<>();
         for (List<String> ligne : lignes.subList(1, lignes.size())) {
             Eleve eleve = parId.get(numero(ligne));
@@ -147,9 +177,11 @@ public final class FeuilleMoodle {
             } else if (!numero(ligne).isEmpty()) {
                 sansRendu.add(Texte.protege(valeur(ligne, nom).isBlank() ? numero(ligne) : valeur(ligne, nom)));
             }
-            if (eleve != null && ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
-                parId.remove(numero(ligne));
+            if (eleve != null && !vus.add(eleve.resultat.id)) {
+                avis.add("deux fois dans la feuille, dont la seconde est laissée : " + eleve.resultat.qui());
+            } else if (eleve != null && ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
                 remplir(ligne, eleve);
+                notes.add(eleve);
             } else if (eleve != null && reel(valeur(ligne, note)) <= sur) {
                 eleve.note = reel(valeur(ligne, note));
             }
@@ -161,8 +193,7 @@ public final class FeuilleMoodle {
         ecrit.append(texte.startsWith(BOM) ? BOM : "");
         format.print(ecrit).printRecords(lignes);
         deposer(dossier, ecrit.toString().getBytes(codage), avis);
-        parId.values().removeIf(Eleve::illisible);
-        return parId.values();
+        return eleves.stream().filter(e -> !notes.contains(e) && !e.illisible()).collect(Collectors.toList());
     }
 
     /** Écrit le fichier à déposer, et ce qui dira s'il a été changé. */
@@ -213,7 +244,7 @@ public final class FeuilleMoodle {
 
     /** @return NaN si le texte n'est pas un nombre */
     private static double reel(String texte) {
-        String propre = texte.trim().replace(',', '.');
+        String propre = BLANCS.matcher(texte).replaceAll("").replace(',', '.');
         return propre.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(propre) : Double.NaN;
     }
 

@@ -32,6 +32,9 @@ import lancer.correction.note.Eleve;
  */
 public final class Pages {
 
+    /** Longueur de ce qui est dit d'une page qui échoue. */
+    private static final int PANNE_MAX = 300;
+
     private final Configuration gabarits = new Configuration(Configuration.VERSION_2_3_34);
     private final GrilleDeNotation grille;
     private final Bareme bareme;
@@ -54,24 +57,49 @@ public final class Pages {
     }
 
     /**
-     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}.
+     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}. Une page ou une rangée qui échoue ne coûte qu'elle.
      *
-     * @param compte nombres d'entrées et de lignes ; @param avis messages à montrer en tête
+     * @param compte nombres d'entrées et de lignes ; @param avis messages à montrer en tête, et qui reçoit ces échecs
+     * @return les rendus dont la page ou la rangée a échoué
      */
-    public void ecrire(Path dossier, List<Eleve> eleves, String compte, List<String> avis) throws IOException {
+    public List<Eleve> ecrire(Path dossier, List<Eleve> eleves, String compte, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
-        List<Object> rangees = new ArrayList<>();
-        try {
-            for (Eleve eleve : eleves) {
-                rangees.add(HTMLOutputFormat.INSTANCE.fromMarkup(remplir("rangee", Map.of("eleve", eleve))));
-                Files.writeString(etudiants.resolve(eleve.page), remplir("eleve", Map.of("eleve", eleve)));
+        List<String> rangees = new ArrayList<>();
+        List<Eleve> manques = new ArrayList<>();
+        for (Eleve eleve : eleves) {
+            Map<String, Object> donnees = new HashMap<>(Map.of("eleve", eleve));
+            String page;
+            String rangee;
+            try {
+                page = remplir("eleve", donnees);
+                rangee = remplir("rangee", donnees);
+            } catch (TemplateException e) {
+                manques.add(eleve);
+                avis.add("la page de " + eleve.resultat.qui() + " n'a pu être écrite : " + Texte.protege(e.getMessage(), PANNE_MAX));
+                page = vide("eleve", donnees);
+                rangee = vide("rangee", donnees);
             }
-            Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "rangees", rangees, "avis", avis,
-                    "compte", compte)));
+            Files.writeString(etudiants.resolve(eleve.page), page);
+            rangees.add(rangee);
+        }
+        try {
+            Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "avis", avis, "compte", compte,
+                    "rangees", HTMLOutputFormat.INSTANCE.fromMarkup(String.join("", rangees)))));
         } catch (TemplateException e) {
             throw new IOException(e);
         }
         tableau(dossier.resolve("classe.csv"), eleves);
+        return manques;
+    }
+
+    /** La page ou la rangée, réduites au nom et à la note. */
+    private String vide(String gabarit, Map<String, Object> donnees) throws IOException {
+        donnees.put("panne", true);
+        try {
+            return remplir(gabarit, donnees);
+        } catch (TemplateException e) {
+            throw new IOException(e);
+        }
     }
 
     private String remplir(String gabarit, Map<String, ?> donnees) throws IOException, TemplateException {
@@ -159,10 +187,10 @@ public final class Pages {
      */
     public List<?> aFaire(Eleve eleve) {
         List<?> faute = premier(eleve, (etape, verdict) -> verdict.rate() && bareme.poids(etape.nom) != 0, "à reprendre d'abord");
-        if (faute != null && ((GrilleDeNotation.Etape) faute.get(1)).duCours() || eleve.arret.isEmpty()) {
+        if (faute != null && ((GrilleDeNotation.Etape) faute.get(1)).duCours()) {
             return faute;
         }
-        List<?> suivante = premier(eleve, (etape, verdict) -> etape.nom.equals(eleve.arret)
+        List<?> suivante = premier(eleve, (etape, verdict) -> etape.duCours() && bareme.poids(etape.nom) != 0
                 && verdict.etat == Verdict.Etat.NON_COMMENCE, "à commencer");
         return suivante == null ? faute : suivante;
     }
