@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +16,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
 /**
@@ -36,10 +38,26 @@ final class Choix {
     final List<String> dites = new ArrayList<>();
 
     private final Cours cours;
+    private final Source.Lecture lecture;
     private final Map<String, List<Type>> racines = new TreeMap<>();
+    private final Map<String, Boolean> compilees = new HashMap<>();
+    /** De deux copies, ce qui fait garder la première ; le premier de ces ordres qui les sépare décide. */
+    private final Map<String, Comparator<String>> raisons = new LinkedHashMap<>();
 
-    Choix(List<Source> sources, Cours cours) {
+    Choix(List<Source> sources, Cours cours, Source.Lecture lecture) {
         this.cours = cours;
+        this.lecture = lecture;
+        raisons.put("a plus de vos classes", Comparator.comparing(r -> 2 * siennes(r) < racines.keySet().stream()
+                .mapToLong(this::siennes).max().getAsLong()));
+        raisons.put("n'a pas le texte du corrigé", Comparator.comparing(r -> nombre(racines.get(r), t -> t.provenance == 2)));
+        raisons.put("se compile", Comparator.comparing(r -> !seCompile(r)));
+        raisons.put("a moins de FIXME", Comparator.comparing(this::aFaire));
+        raisons.put("s'appelle « base »", Comparator.comparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base")));
+        raisons.put("a plus de texte", Comparator.comparing(r -> -racines.get(r).stream().filter(Choix::duCours)
+                .mapToInt(t -> t.texte.length()).sum()));
+        raisons.put("vient d'abord, par son nom", Comparator.comparing((String r) -> racines.get(r).stream()
+                .mapToInt(t -> t.source.rang(t.nom)).min().getAsInt())
+                .thenComparing(String::length).thenComparing(r -> r));
         List<Source> gardees = ecarterLesAutresTravaux(sources);
         Set<String> paquets = gardees.stream().filter(Source::declare).map(f -> f.paquet).collect(Collectors.toCollection(TreeSet::new));
         gardees.forEach(source -> source.classes(paquets).forEach(type -> ranger(source, type)));
@@ -47,6 +65,29 @@ final class Choix {
         Map<String, Map<String, List<Type>>> parties = partager();
         SourcesDuCours.VARIANTES.stream().filter(parties::containsKey).forEach(nom -> variantes.put(nom, choisir(parties.get(nom))));
         base = choisir(parties.getOrDefault("", Map.of()));
+    }
+
+    /** Nombre de classes à compléter qui sont ici le travail de l'étudiant. */
+    private long siennes(String racine) {
+        return nombre(racines.get(racine), t -> t.provenance == 0 && cours.ressemble(t));
+    }
+
+    /** Nombre de FIXME qui restent ici, ceux du projet à compléter compris pour une classe absente. */
+    private long aFaire(String racine) {
+        return SourcesDuCours.A_COMPLETER.stream().mapToLong(c -> racines.get(racine).stream().filter(t -> t.nom.equals(c))
+                .map(t -> t.texte).findFirst().orElse(SourcesDuCours.squelette(c)).split("FIXME", -1).length - 1).sum();
+    }
+
+    private boolean seCompile(String racine) {
+        return compilees.computeIfAbsent(racine, r -> {
+            Map<String, String> textes = SourcesDuCours.tout(SourcesDuCours::squelette);
+            racines.get(r).forEach(t -> textes.put(t.chemin(), t.texte));
+            try {
+                return lecture.compile(textes);
+            } catch (Arret e) {
+                return false;
+            }
+        });
     }
 
     /** Laisse de côté, hors du dossier qui a le plus de classes du cours, un autre travail. */
@@ -146,8 +187,10 @@ final class Choix {
             if (!copie) {
                 siens.forEach(t -> laisser(t, projet.get(t.chemin())));
             } else if (!siens.isEmpty()) {
-                String quoi = siens.stream().allMatch(t -> t.provenance == 2) ? "c'est le texte du corrigé" : "le projet a les siennes";
-                dites.add(racine + Contenu.DE_COTE + quoi + " : " + Projet.noms(siens));
+                String pourquoi = raisons.entrySet().stream().filter(e -> e.getValue().compare(racines.get(0), racine) != 0)
+                        .map(Map.Entry::getKey).findFirst().get();
+                dites.add(racine + Contenu.DE_COTE + (siens.stream().allMatch(t -> t.provenance == 2) ? "c'est le texte du corrigé"
+                        : "le projet est dans " + racines.get(0) + ", qui " + pourquoi) + " : " + Projet.noms(siens));
             }
             apportes.removeIf(t -> !duCours(t));
             if (!racine.startsWith(racines.get(0)) && !apportes.isEmpty()) {
@@ -163,13 +206,8 @@ final class Choix {
 
     /** Les dossiers, du plus sûr au moins sûr. */
     private List<String> ranges(Map<String, List<Type>> groupes) {
-        return groupes.keySet().stream().sorted(Comparator
-                .comparing((String r) -> -nombre(groupes.get(r), t -> t.provenance == 0 && cours.ressemble(t)))
-                .thenComparing(r -> nombre(groupes.get(r), t -> t.provenance == 2))
-                .thenComparing(r -> -nombre(groupes.get(r), t -> true))
-                .thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base"))
-                .thenComparing(r -> groupes.get(r).stream().mapToInt(t -> t.source.rang(t.nom)).min().getAsInt())
-                .thenComparing(String::length)).collect(Collectors.toList());
+        return groupes.keySet().stream().sorted(raisons.values().stream().reduce(Comparator::thenComparing).get())
+                .collect(Collectors.toList());
     }
 
     /**

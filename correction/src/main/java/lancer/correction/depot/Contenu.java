@@ -59,8 +59,8 @@ final class Contenu {
     /** Les fichiers et les dossiers d'outils, par leur chemin, et leur nom. */
     private final Map<String, String> outils = new TreeMap<>();
     private final Set<String> autres = new TreeSet<>();
-    /** Les archives .jar qui ont des sources, et le remède. */
-    private final Set<String> deSources = new TreeSet<>();
+    /** Les premières archives .jar, qui peuvent avoir les sources d'un rendu sans autres sources. */
+    private final Map<String, IOSupplier<InputStream>> jars = new TreeMap<>();
     private long octets;
 
     Contenu(Rendu rendu) {
@@ -74,9 +74,12 @@ final class Contenu {
     /** @return faux s'il n'y a plus rien à lire de ce rendu */
     boolean prendre(ZipFile zip, ZipArchiveEntry entree, String chemin, String archive, int niveau) {
         String nom = Lieu.nom(entree);
-        if (nom.startsWith("/") || nom.matches("(?s)[A-Za-z]:.*") || List.of(nom.split("/")).contains("..")) {
+        if (List.of(nom.split("/")).contains("..")) {
             refuser("entrée refusée, qui sort de son archive : " + nom);
             return true;
+        } else if (Lieu.absolu(entree)) {
+            refuser("des noms absolus dans l'archive (" + Texte.protege(entree.getName()).split("[/\\\\]", 2)[0]
+                    + "/…) : lus sans leur racine");
         }
         return prendre(chemin + (nom.endsWith("/") ? "/" : ""), entree.isUnixSymlink(), () -> ouvrir(zip, entree), archive, niveau);
     }
@@ -126,7 +129,9 @@ final class Contenu {
         boolean zip = bas.endsWith(".zip");
         if (bas.endsWith(".jar")) {
             rendu.bibliotheques.add(Texte.protege(fin, Rendu.NOM_MAX));
-            compter(contenu, fin);
+            if (jars.size() < CITES_MAX) {
+                jars.put(fin, contenu);
+            }
         }
         if (lien) {
             refuser("lien refusé : " + fin);
@@ -141,16 +146,14 @@ final class Contenu {
         return true;
     }
 
-    /** Compte les sources d'une archive .jar. */
-    private void compter(IOSupplier<InputStream> contenu, String nom) {
+    /** Ce qu'il faut savoir d'une archive .jar : le nombre de ses sources, et le remède ; vide si elle n'en a pas. */
+    private static String sources(String nom, IOSupplier<InputStream> contenu) {
         try (InputStream flux = contenu.get();
                 ZipFile zip = ZipFile.builder().setByteArray(flux.readNBytes((int) OCTETS_MAX)).get()) {
             long sources = Collections.list(zip.getEntries()).stream().filter(e -> e.getName().endsWith(".java")).count();
-            if (sources > 0) {
-                deSources.add(Texte.protege(nom, Rendu.NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
-            }
+            return sources == 0 ? "" : " ; " + Texte.protege(nom, Rendu.NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip";
         } catch (IOException | RuntimeException e) {
-            // une bibliothèque, que rien ne lit
+            return "";
         }
     }
 
@@ -289,10 +292,11 @@ final class Contenu {
     /** Ce que contient un rendu sans source. */
     private String sansSource() {
         String debut = "aucun fichier .java dans ce rendu";
+        String deSources = jars.entrySet().stream().map(j -> sources(j.getKey(), j.getValue())).collect(Collectors.joining());
         if (!rendu.vides.isEmpty()) {
             return vides();
         } else if (!deSources.isEmpty()) {
-            return debut + " ; " + String.join(" ; ", deSources);
+            return debut + deSources;
         } else if (!finissantPar(".kt").isEmpty()) {
             return debut + " : des sources Kotlin, et non Java (" + finissantPar(".kt") + ")";
         } else if (!finissantPar(".class").isEmpty()) {

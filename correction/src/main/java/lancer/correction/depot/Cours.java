@@ -1,15 +1,17 @@
 package lancer.correction.depot;
 
+import java.util.Collection;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
 /** Les classes du cours, lues par le JDK : celles du projet à compléter, et celles du corrigé. */
 public final class Cours {
 
-    /** Ce qu'il faut écrire, en caractères, pour que ce ne soit pas par hasard comme un autre. */
-    private static final int LONGUE = 250;
+    /** Longueur de ce qui, écrit comme le corrigé, en vient. */
+    private static final int COPIE = 600;
 
     public final Map<String, Type> squelette;
     private final Map<String, Type> corrige;
@@ -29,10 +31,23 @@ public final class Cours {
         return type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
     }
 
-    /** L'empreinte d'une classe que deux étudiants n'écrivent pas pareil par hasard, sans les noms des variables ; vide sinon. */
-    String forme(Type type) {
-        boolean longue = type.longueur > squelette.get(type.nom).longueur + LONGUE;
-        return longue && !type.forme.equals(corrige.get(type.nom).forme) ? type.forme : "";
+    /** Les méthodes longues que l'étudiant a écrites, par leur nom : les siennes, ou celles qui ont la forme d'une du corrigé. */
+    Map<String, Signature> ecrites(Collection<Type> types, boolean duCorrige) {
+        Map<String, Signature> ecrites = new TreeMap<>();
+        types.forEach(t -> t.methodes.stream().filter(m -> !m.forme.isEmpty() && !a(squelette, m) && a(corrige, m) == duCorrige)
+                .forEach(m -> ecrites.put(t.nom + "." + m.nom, m)));
+        return ecrites;
+    }
+
+    /** Les méthodes écrites comme celles du corrigé ; aucune, si elles ne sont pas assez longues, à elles toutes, pour ne pas l'être par hasard. */
+    Set<String> commeLeCorrige(Collection<Type> types) {
+        Map<String, Signature> ecrites = ecrites(types, true);
+        return ecrites.values().stream().mapToInt(m -> m.longueur).sum() < COPIE ? Set.of() : ecrites.keySet();
+    }
+
+    /** Dit si une méthode de ces classes a cette forme. */
+    private static boolean a(Map<String, Type> classes, Signature methode) {
+        return classes.values().stream().flatMap(t -> t.methodes.stream()).anyMatch(m -> m.forme.equals(methode.forme));
     }
 
     /** Dit si cette classe a la plupart des méthodes de celle du cours qui a son nom, à défaut de ses noms, ou n'a rien d'autre. */

@@ -19,11 +19,11 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashSet;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.regex.Pattern;
@@ -80,6 +80,8 @@ public final class Lecteur {
         }
     }
 
+    /** Longueur d'une méthode que deux personnes n'écrivent pas pareil par hasard, en caractères de cet arbre. */
+    private static final int LONGUE = 300;
     private static final Pattern NOM = Pattern.compile("[\\w$]+");
 
     private final String texte;
@@ -153,8 +155,7 @@ public final class Lecteur {
 
     private Type classe(ClassTree classe) {
         Set<String> noms = new TreeSet<>();
-        // dans l'ordre où ils viennent
-        Set<String> locaux = new LinkedHashSet<>();
+        Set<String> variables = new HashSet<>();
         new TreeScanner<Void, Void>() {
             @Override
             public Void scan(Tree arbre, Void rien) {
@@ -162,28 +163,21 @@ public final class Lecteur {
                     noms.add(arbre.toString());
                 } else if (arbre instanceof VariableTree) {
                     noms.add(((VariableTree) arbre).getName().toString());
-                    locaux.add(((VariableTree) arbre).getName().toString());
+                    variables.add(((VariableTree) arbre).getName().toString());
                 } else if (arbre instanceof MemberSelectTree) {
                     noms.add(((MemberSelectTree) arbre).getIdentifier().toString());
                 }
                 return super.scan(arbre, rien);
             }
         }.scan(classe, null);
-        Map<String, String> siens = new TreeMap<>();
-        locaux.forEach(nom -> siens.put(nom, "n" + siens.size()));
-        String forme = NOM.matcher(classe.getMembers().toString())
-                .replaceAll(m -> siens.getOrDefault(m.group(), m.group()).replace("$", ""));
-        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()),
-                classe.getKind().name().equals("RECORD"));
-        lu.forme = condense(forme);
-        lu.longueur = forme.length();
+        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()));
         noms.stream().limit(NOMS_MAX).forEach(lu.noms::add);
         classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
-                .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe)));
+                .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe, variables)));
         return lu;
     }
 
-    private Signature methode(MethodTree methode, ClassTree classe) {
+    private Signature methode(MethodTree methode, ClassTree classe, Set<String> variables) {
         boolean constructeur = methode.getReturnType() == null;
         Set<Modifier> modificateurs = methode.getModifiers().getFlags();
         int debut = Math.max(0, debut(methode));
@@ -192,8 +186,18 @@ public final class Lecteur {
         Signature lue = new Signature(nom.toString(), rend, modificateurs.contains(Modifier.STATIC),
                 modificateurs.contains(Modifier.PRIVATE), texte.substring(debut, Math.max(debut, fin(methode))),
                 condense(methode.getParameters() + " " + methode.getBody()));
+        former(lue, methode, variables);
         methode.getParameters().forEach(p -> lue.types.add(type(p.getType())));
         return lue;
+    }
+
+    /** Donne à une méthode la forme de son arbre, où chaque variable a pour nom son rang ; aucune, si beaucoup écriraient de même si peu. */
+    private static void former(Signature lue, MethodTree methode, Set<String> variables) {
+        Map<String, String> rangs = new HashMap<>();
+        String forme = NOM.matcher(methode.getParameters() + " " + methode.getBody()).replaceAll(m -> variables.contains(m.group())
+                ? rangs.computeIfAbsent(m.group(), nom -> "n" + rangs.size()) : m.group().replace("$", ""));
+        lue.longueur = forme.length();
+        lue.forme = forme.length() < LONGUE ? "" : condense(forme);
     }
 
     /** L'arbre que le JDK écrit n'a ni commentaire, ni présentation. */

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.commons.compress.archivers.zip.ZipArchiveEntry;
@@ -23,6 +24,9 @@ final class Lieu implements AutoCloseable {
 
     /** Taille maximale d'une archive seule dans une archive, en octets. */
     private static final int CLASSE_MAX = 200 << 20;
+
+    /** Le début d'un nom absolu, sous Linux ou Windows. */
+    private static final Pattern RACINE = Pattern.compile("^([A-Za-z]:)?/+|^[A-Za-z]:");
 
     private Path dossier;
     private ZipFile zip;
@@ -114,8 +118,17 @@ final class Lieu implements AutoCloseable {
         return enfants;
     }
 
-    /** Le nom d'une entrée, avec des « / » même si elle vient de Windows. */
+    /** Le nom d'une entrée à partir d'ici, avec des « / » même si elle vient de Windows : sans « ./ », ni racine. */
     static String nom(ZipArchiveEntry entree) {
+        return RACINE.matcher(brut(entree)).replaceFirst("").replaceAll("(?<![^/])\\./", "");
+    }
+
+    /** Dit si ce nom part de la racine d'une machine, au lieu de l'archive. */
+    static boolean absolu(ZipArchiveEntry entree) {
+        return RACINE.matcher(brut(entree)).find();
+    }
+
+    private static String brut(ZipArchiveEntry entree) {
         return entree.getName().replace('\\', '/');
     }
 

@@ -49,7 +49,7 @@ public final class Projet {
     public final Set<String> changees;
     /** Écarts aux consignes de l'énoncé, par consigne. */
     public final Map<String, String> ecarts = new TreeMap<>();
-    /** Les empreintes des classes qui ne sont pas écrites comme celles d'un autre par hasard, par leur nom. */
+    /** Les formes des longues méthodes de l'étudiant, par leur nom. */
     public final Map<String, String> formes = new TreeMap<>();
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
@@ -87,7 +87,7 @@ public final class Projet {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         List<String> illisibles = new ArrayList<>();
-        Choix choix = new Choix(Source.lire(rendu.sources, lecture, illisibles), cours);
+        Choix choix = new Choix(Source.lire(rendu.sources, lecture, illisibles), cours, lecture);
         choix.dites.addAll(0, illisibles);
         Map<String, Type> base = choix.base;
         if (base.isEmpty() || !choix.variantes.isEmpty()
@@ -106,8 +106,6 @@ public final class Projet {
     /** Dit ce que le choix des classes a arrangé, laissé de côté, ou cherché en vain. */
     private void constater(Rendu rendu, Choix choix, Cours cours) {
         choix.dites.forEach(this::dire);
-        SourcesDuCours.classes().stream().filter(c -> type(c).enregistrement).forEach(c -> dire(c + " est un record, dont les champs sont "
-                + "privés, et le cours les lit : pour la juger, faites-en une classe dans une copie du rendu, et jugez cette copie"));
         Map<String, Set<String>> ou = new TreeMap<>();
         Map<String, String> consigne = new TreeMap<>();
         Stream.concat(Stream.of(types), choix.variantes.values().stream()).flatMap(classes -> classes.values().stream()).forEach(type ->
@@ -126,12 +124,10 @@ public final class Projet {
         });
         consignes(rendu);
         absences(rendu);
-        SourcesDuCours.A_COMPLETER.stream().filter(c -> texte(c) != null && type(c).forme != null && !cours.forme(type(c)).isEmpty())
-                .forEach(c -> formes.put(c, cours.forme(type(c))));
-        String duCorrige = SourcesDuCours.A_COMPLETER.stream().filter(c -> texte(c) != null && cours.provenance(type(c)) == 2)
-                .collect(Collectors.joining(", "));
+        cours.ecrites(types.values(), false).forEach((nom, methode) -> formes.put(nom, methode.forme));
+        Set<String> duCorrige = cours.commeLeCorrige(types.values());
         if (!duCorrige.isEmpty()) {
-            aRegarder.add("le même texte que le corrigé, aux commentaires près : " + duCorrige);
+            aRegarder.add("écrit comme le corrigé, aux noms et aux commentaires près : " + quelques(duCorrige));
         }
     }
 
@@ -220,6 +216,11 @@ public final class Projet {
     /** Note qu'une consigne n'est pas suivie. */
     public void noter(String consigne, String ecart) {
         ecarts.merge(consigne, ecart, (a, b) -> a + " ; " + b);
+    }
+
+    /** Dit si cette classe rendue a des méthodes que celle du cours n'a pas. */
+    public boolean augmentee(String classe) {
+        return !squelette.get(classe).nommees().containsAll(type(classe).nommees());
     }
 
     /** Le texte d'une classe du cours ; {@code null} si elle n'est pas rendue. */

@@ -25,6 +25,9 @@ public final class Signature {
     public final String texte;
     /** Empreinte de l'arbre syntaxique. */
     public final String arbre;
+    /** Empreinte de cet arbre, où chaque variable a pour nom son rang, vide s'il est court ; et sa longueur. */
+    String forme = "";
+    int longueur;
 
     Signature(String nom, String rend, boolean statique, boolean privee, String texte, String arbre) {
         this.nom = nom;

@@ -43,6 +43,11 @@ public final class Source {
     /** Lecture de textes Java : voir {@link Lecteur#lire}. */
     public interface Lecture {
         Lecteur.Fichier[] lire(List<String> textes) throws Arret;
+
+        /** Dit si le compilateur ne trouve aucune faute dans ces classes ; vrai là où il n'y a pas de compilateur. */
+        default boolean compile(Map<String, String> classes) throws Arret {
+            return true;
+        }
     }
 
     final String chemin;

@@ -15,11 +15,6 @@ public final class Type {
     final int fin;
     /** Empreinte de l'arbre syntaxique, qui ignore les commentaires et la présentation. */
     public final String empreinte;
-    /** Empreinte du même arbre, où chaque variable a pour nom son rang, et longueur de cet arbre. */
-    String forme;
-    int longueur;
-    /** Vrai pour un {@code record}. */
-    final boolean enregistrement;
     /** Noms utilisés, {@code float} compris. */
     public final Set<String> noms = new TreeSet<>();
     public final List<Signature> methodes = new ArrayList<>();
@@ -30,17 +25,16 @@ public final class Type {
     /** Longueur du texte après la fin de la classe. */
     private transient int reste;
 
-    Type(String nom, int debut, int fin, String empreinte, boolean enregistrement) {
+    Type(String nom, int debut, int fin, String empreinte) {
         this.nom = nom;
         this.debut = debut;
         this.fin = fin;
         this.empreinte = empreinte;
-        this.enregistrement = enregistrement;
     }
 
     /** Une classe dont seul le nom est connu. */
     static Type rien(String nom) {
-        return new Type(nom, 0, 0, "", false);
+        return new Type(nom, 0, 0, "");
     }
 
     Type placer(Source fichier, String sien, int suite) {

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -194,6 +195,24 @@ class DepotTest extends DepotEssai {
         refuse(lus.get("15"), "plus de 50 Mo");
         refuse(lus.get("16"), "lien refusé : Vecteur.java");
         refuse(lus.get("17"), "lien refusé : Vecteur.java");
+    }
+
+    @Test
+    void dUnNomQuiCommenceParUnPointOuParLaRacineResteLeChemin() throws IOException {
+        Path classe = dossier.resolve("classe.zip");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(classe))) {
+            for (String nom : List.of("./", "./Dupont/", "./Dupont/./lancer/Vecteur.java", "/Durand/lancer/Vecteur.java",
+                    "C:\\Roux\\lancer\\Vecteur.java")) {
+                zip.putNextEntry(new ZipEntry(nom));
+                zip.write(nom.endsWith("/") ? new byte[0] : CLASSE.getBytes(StandardCharsets.UTF_8));
+            }
+        }
+        Map<String, Rendu> lus = lire(classe);
+        assertEquals(Set.of("Dupont", "Durand", "Roux"), lus.keySet());
+        lus.values().forEach(r -> assertEquals(Set.of("lancer/Vecteur.java"), r.sources.keySet(), r.nom));
+        assertEquals(List.of(), lus.get("Dupont").refus);
+        assertEquals(List.of("des noms absolus dans l'archive (/…) : lus sans leur racine"), lus.get("Durand").refus);
+        assertEquals(List.of("des noms absolus dans l'archive (C:/…) : lus sans leur racine"), lus.get("Roux").refus);
     }
 
     private static void refuse(Rendu rendu, String message) {

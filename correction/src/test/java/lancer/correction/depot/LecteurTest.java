@@ -44,11 +44,16 @@ class LecteurTest {
     }
 
     @Test
-    void niLesNomsDesVariablesNeFontUneAutreForme() {
-        Type une = Lecteur.lire(List.of("class A { int f(int p) { int a = p; return a * p; } }"))[0].types.get(0);
-        assertEquals(une.forme,
-                Lecteur.lire(List.of("class A { int f(int q) { int b = q; /* vu */ return b * q; } }"))[0].types.get(0).forme);
-        assertNotEquals(une.forme, Lecteur.lire(List.of("class A { int f(int q) { int b = q; return q * b; } }"))[0].types.get(0).forme);
+    void lesNomsDesVariablesNeFontPasUneAutreFormeEtUneMethodeCourteNEnAPas() {
+        String suite = "; print(1, 2, 3)".repeat(30) + "; return ";
+        String une = forme("int p) { int a = p" + suite + "a * p");
+        assertEquals(une, forme("int q) { /* vu */ int b = q" + suite + "b * q"));
+        assertNotEquals(une, forme("int q) { int b = q" + suite + "q * b"));
+        assertEquals("", forme("int p) { int a = p; return a * p"));
+    }
+
+    private static String forme(String methode) {
+        return Lecteur.lire(List.of("class A { int f(" + methode + "; } }"))[0].types.get(0).methodes.get(0).forme;
     }
 
     @Test

@@ -79,7 +79,8 @@ class ProjetTest extends DepotEssai {
                 + "remplacez partout Monde par Scene dans une copie "
                 + "du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Objet3D.getNormale absente ; prend et rend la même chose : normale",
-                "le même texte que le corrigé, aux commentaires près : Vecteur, Point, Rayon, Camera"), lu.aRegarder);
+                "écrit comme le corrigé, aux noms et aux commentaires près : Monde.getClosestIntersection, "
+                + "Sphere.getIntersectionDistance"), lu.aRegarder);
     }
 
     @Test
@@ -209,8 +210,23 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals(7, lu.base.size(), lu.base.keySet().toString());
         assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
-        assertEquals(List.of("src2/ : hors du projet, le complète par Objet3D, Scene, Sphere",
-                "vieux/ : laissé de côté, le projet a les siennes : Point, Rayon, Vecteur"), lu.remarques);
+        assertEquals(List.of("vieux/ : laissé de côté, le projet est dans src/, qui a moins de FIXME : Point, Rayon, Vecteur",
+                "src2/ : hors du projet, le complète par Objet3D, Scene, Sphere"), lu.remarques);
+    }
+
+    @Test
+    void deDeuxVersionsLaPlusAvanceeEstJugeeQuelsQueSoientLeursNoms() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file");
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            String commencee = SourcesDuCours.squelette(classe).replaceFirst("(?m)^}", "    int commencee;\n}");
+            ecrire(projet.resolve("TP1/lancer/" + classe + ".java"), commencee);
+            ecrire(projet.resolve("TP1_final/lancer/" + classe + ".java"), SourcesDuCours.corrige(classe)
+                    .replaceFirst("(?m)^}", "    int achevee;\n}"));
+        }
+        Projet lu = projet(lire(rendus).get("11"));
+        SourcesDuCours.A_COMPLETER.forEach(c -> assertTrue(lu.texte(c).contains("achevee"), c));
+        assertEquals(List.of("TP1/ : laissé de côté, le projet est dans TP1_final/, qui a moins de FIXME : Camera, Lancer, Objet3D, Point, "
+                + "Rayon…"), lu.remarques);
     }
 
     @Test
@@ -318,7 +334,8 @@ class ProjetTest extends DepotEssai {
         String classe = fichier.replaceFirst("(?s).*/(\\w+)\\.java=.*", "$1");
         assertTrue(lu.texte(classe).contains("enPlus"), lu.texte(classe));
         assertEquals(List.of(fichier.replaceFirst("(cartes/|geo/)?\\w+\\.java=.*", "") + " : laissé de côté, hors du projet ; " + classe
-                + " n'y est pas du cours"), lu.aRegarder);
+                + " n'y est pas du cours", "écrit comme le corrigé, aux noms et aux commentaires près : Objet3D.getColor, "
+                + "Scene.getClosestIntersection, Sphere.getIntersectionDistance"), lu.aRegarder);
         assertEquals(Map.of(), lu.ecarts);
     }
 
@@ -350,7 +367,8 @@ class ProjetTest extends DepotEssai {
         classes("mon projet", SourcesDuCours::squelette, "Vecteur");
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals(Set.of("Sphere", "Scene"), lu.changees);
-        assertTrue(lu.aRegarder.contains("le même texte que le corrigé, aux commentaires près : Sphere, Scene"), lu.aRegarder.toString());
+        assertTrue(lu.aRegarder.contains("écrit comme le corrigé, aux noms et aux commentaires près : "
+                + "Scene.getClosestIntersection, Sphere.getIntersectionDistance"), lu.aRegarder.toString());
     }
 
     @Test
