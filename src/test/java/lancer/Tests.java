@@ -789,14 +789,19 @@ public class Tests extends Valeurs {
         private final double sr = tirer(0.96, 0.94, 0.98);
         private final double cr = sinus(sr);
 
-        /** Ce qu'une lampe, à une distance de 1 du contact (0, 0, 4), ajoute à une boule noire et brillante. */
+        /** Ce que ces lampes ajoutent à une boule noire parce que Ks n'est pas nul : qui oublie Kd ne perd pas aussi ces points. */
+        private Couleur eclat(Predicate<Couleur> convient, List<Lampe> lampes, Rayon rayon, Couleur Ks, double ns) {
+            return aCote(rayon, convient, r -> apport(lampes, r, boule(NOIR, Ks, ns)).sub(apport(lampes, r, boule(NOIR, NOIR, ns))));
+        }
+
+        /** La même chose pour une lampe à une distance de 1 du contact (0, 0, 4). */
         private void reflet(String demande, Couleur attendue, Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
-            verifierApport(demande, attendue, Collections.singletonList(lampe(lx, 0, 4 + lz)),
-                    rayon(-vx, 0, 4 - vz, vx, 0, vz), boule(NOIR, Ks, ns));
+            verifier(demande + " (contact " + point(0, 0, 4) + ", lampe en " + point(lx, 0, 4 + lz) + ")", attendue,
+                    eclat(c -> pres(attendue, c), Collections.singletonList(lampe(lx, 0, 4 + lz)), rayon(-vx, 0, 4 - vz, vx, 0, vz), Ks, ns));
         }
 
         private Couleur deFace() {
-            return apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(), boule(NOIR, gris, 1));
+            return eclat(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(), gris, 1);
         }
 
         /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien où il faut. */
@@ -822,8 +827,8 @@ public class Tests extends Valeurs {
         }
 
         private boolean refletRasant(int cote) {
-            return !pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0.995 * cote, 0, 4 - sinus(0.995))),
-                    rayon(-sv, 0, 4 - cv, sv, 0, cv), boule(NOIR, gris, 1)));
+            return !pres(NOIR, eclat(c -> !pres(NOIR, c), Collections.singletonList(lampe(0.995 * cote, 0, 4 - sinus(0.995))),
+                    rayon(-sv, 0, 4 - cv, sv, 0, cv), gris, 1));
         }
 
         @Test @Order(1) @DisplayName("face à la lampe et à l'œil : Ks")
@@ -872,7 +877,7 @@ public class Tests extends Valeurs {
             Couleur Kd = teinte(0.3, 0.25, 0.125);
             Couleur Ks = teinte(0.2, 0.3, 0.25);
             Couleur mate = apport(c -> !pres(NOIR, c), lampe, devant(), boule(Kd, NOIR, ns));
-            Couleur noire = apport(c -> !pres(NOIR, c), lampe, devant(), boule(NOIR, Ks, ns));
+            Couleur noire = eclat(c -> !pres(NOIR, c), lampe, devant(), Ks, ns);
             verifierApport("une boule mate et brillante : ce que donne la mate (Ks nul), plus ce que donne la brillante (Kd nul)",
                     mate.add(noire), lampe, devant(), boule(Kd, Ks, ns));
         }
@@ -880,9 +885,9 @@ public class Tests extends Valeurs {
         @Test @Order(7) @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
         void laCouleurDesLampesMultiplieKs() {
             Couleur Ks = teinte(0.3, 0.2, 0.4);
-            verifierApport("L, N et -V confondus, lampes " + texte(couleurOrange) + " et blanche : Ks " + texte(couleurOrange)
-                    + " + Ks", Ks.mul(couleurOrange).add(Ks), Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)),
-                    devant(), boule(NOIR, Ks, ns));
+            Couleur attendue = Ks.mul(couleurOrange).add(Ks);
+            verifier("L, N et -V confondus, lampes " + texte(couleurOrange) + " et blanche : Ks " + texte(couleurOrange) + " + Ks",
+                    attendue, eclat(c -> pres(attendue, c), Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)), devant(), Ks, ns));
         }
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -18,11 +19,23 @@ public final class Sonde {
     private Sonde() {
     }
 
+    /** Les trois premiers champs d'une couleur, d'un vecteur ou d'un point. */
+    private static float[] trois(Object o) {
+        Object[] champs = Appels.champs(Objects.requireNonNull(o, "null au lieu d'une couleur, d'un vecteur ou d'un point"));
+        return new float[] {((Number) champs[0]).floatValue(), ((Number) champs[1]).floatValue(), ((Number) champs[2]).floatValue()};
+    }
+
+    private static Objet3D objet(PointContact contact) {
+        return (Objet3D) Appels.champs(contact)[3];
+    }
+
     /** Les couleurs non limitées, en flottants. */
     private static byte[] coder(Couleur[] couleurs) {
         ByteBuffer octets = ByteBuffer.allocate(couleurs.length * 12);
         for (Couleur c : couleurs) {
-            octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
+            for (float composante : trois(c)) {
+                octets.putFloat(composante);
+            }
         }
         return octets.array();
     }
@@ -56,7 +69,7 @@ public final class Sonde {
 
     private static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) throws Exception {
         PointContact contact = scene.getClosestIntersection(rayon, null);
-        return contact == null ? rayon.getSkyColor() : contact.objet.getColor(scene, rayon, contact, profondeur);
+        return contact == null ? rayon.getSkyColor() : objet(contact).getColor(scene, rayon, contact, profondeur);
     }
 
     /** @param a largeur, hauteur, profondeur ; ce que dessine TracerImage, où l'étudiant met l'anticrénelage */
@@ -101,9 +114,9 @@ public final class Sonde {
             dire("aucun objet rencontré ; couleur du ciel", rayon.getSkyColor());
             return;
         }
-        Objet3D objet = contact.objet;
+        Objet3D objet = objet(contact);
         dire("objet rencontré, sa couleur Kd", objet.getKd());
-        dire("distance", (float) contact.distance);
+        dire("distance", ((Number) Appels.champs(contact)[4]).floatValue());
         dire("point de contact", contact);
         dire("normale N", objet.getNormale(contact));
         // une lampe à la fois, par un fichier : une scène n'a pas forcément d'autre constructeur
@@ -130,15 +143,12 @@ public final class Sonde {
 
     /** Sept chiffres : de quoi comparer, à l'œil aussi. */
     private void dire(String nom, Object valeur) {
-        String nombres = String.valueOf(valeur);
-        if (valeur instanceof Tuple) {
-            Tuple t = (Tuple) valeur;
-            nombres = (float) t.x + " " + (float) t.y + " " + (float) t.z;
-        } else if (valeur instanceof Couleur) {
-            Couleur c = (Couleur) valeur;
-            nombres = (float) c.r + " " + (float) c.v + " " + (float) c.b;
-        }
         reponses.add(nom);
-        reponses.add(nombres);
+        if (valeur instanceof Tuple || valeur instanceof Couleur) {
+            float[] nombres = trois(valeur);
+            reponses.add(nombres[0] + " " + nombres[1] + " " + nombres[2]);
+        } else {
+            reponses.add(String.valueOf(valeur));
+        }
     }
 }

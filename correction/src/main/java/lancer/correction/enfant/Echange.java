@@ -24,8 +24,11 @@ public final class Echange {
 
     /** Taille maximale d'une réponse ordinaire, en octets. */
     public static final int REPONSE_MAX = 1 << 16;
-    /** Taille maximale d'une réponse qui contient une image ou des classes, en octets. */
-    public static final int GROSSE_REPONSE_MAX = 16 << 20;
+    /** Taille maximale d'une réponse qui contient une image, puis d'une réponse du compilateur, en octets. */
+    public static final int IMAGE_MAX = 1 << 20;
+    public static final int COMPILATION_MAX = 16 << 20;
+    /** Nombre maximal de listes l'une dans l'autre. */
+    private static final int PROFONDEUR_MAX = 20;
 
     private Echange() {
     }
@@ -133,8 +136,15 @@ public final class Echange {
         }
     }
 
-    /** Lit une valeur. @param trouver rend l'objet désigné */
+    /** Lit une valeur. @param trouver rend l'objet désigné ; @throws IOException si ce n'en est pas une */
     public static Object lire(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
+        return lire(message, trouver, PROFONDEUR_MAX);
+    }
+
+    private static Object lire(DataInputStream message, Function<Objet, Object> trouver, int profondeur) throws IOException {
+        if (profondeur < 0) {
+            throw new IOException();
+        }
         switch (message.readByte()) {
             case 'n':
                 return null;
@@ -151,7 +161,7 @@ public final class Echange {
             case 'l':
                 List<Object> liste = new ArrayList<>();
                 for (int reste = message.readInt(); reste > 0; reste--) {
-                    liste.add(lire(message, trouver));
+                    liste.add(lire(message, trouver, profondeur - 1));
                 }
                 return liste;
             case 'o':

@@ -2,8 +2,10 @@ package lancer.correction.isolement;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -12,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.DoubleAdder;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
@@ -49,6 +52,8 @@ public final class Enfant implements AutoCloseable {
     private volatile int longueurMax;
     private volatile boolean inattendu;
     private double calculMax;
+    /** Secondes de calcul et de sommeil, de celle-ci et de celles qui en partagent le compte. */
+    private DoubleAdder depense = new DoubleAdder();
     /** Nombre de tours passés sans rien faire, toutes demandes ensemble. */
     public int endormi;
     /** Temps de processeur au premier et au dernier contrôle de la demande, instants du commencement et du dernier contrôle. */
@@ -148,7 +153,8 @@ public final class Enfant implements AutoCloseable {
                 throw mort();
             }
             if (System.nanoTime() - controle > TOUR_MS * 1_000_000) {
-                boolean travaille = controler();
+                // une réponse est là depuis on ne sait combien de temps : ce fil-ci a pu attendre un cœur
+                boolean travaille = controler() || reponse != null;
                 immobile = travaille ? 0 : immobile + 1;
                 endormi += travaille ? 0 : 1;
             }
@@ -172,6 +178,7 @@ public final class Enfant implements AutoCloseable {
         controle = System.nanoTime();
         if (!confine) {
             double permis = Limites.SANS_CONFINEMENT * calculMax;
+            depense.add(TOUR_MS / 1e3);
             if (controle - commencement > permis * 1e9) {
                 throw arreter("arrêté : plus de " + Math.round(permis) + " s, trop long ou sans fin");
             }
@@ -185,7 +192,8 @@ public final class Enfant implements AutoCloseable {
         for (ProcessHandle un : tous) {
             maintenant += mesurer(un);
         }
-        boolean travaille = maintenant - dernier > TOUR_MS / 2e4;
+        boolean travaille = maintenant - dernier > TOUR_MS / 2e4 || attendUnCoeur();
+        depense.add(maintenant - dernier + (travaille ? 0 : TOUR_MS / 1e3));
         dernier = maintenant;
         debut = Double.isNaN(debut) ? maintenant : debut;
         if (maintenant - debut > calculMax) {
@@ -194,9 +202,31 @@ public final class Enfant implements AutoCloseable {
         return travaille;
     }
 
+    /** Dit si un de ses fils attend un cœur, ou le disque, d'après le système : sur une machine chargée, ce n'est pas dormir. */
+    private boolean attendUnCoeur() {
+        for (ProcessHandle un : tous) {
+            String[] fils = taches(un).list();
+            for (String fil : fils == null ? new String[0] : fils) {
+                try {
+                    String etat = Files.readString(taches(un).toPath().resolve(fil).resolve("stat")).replaceFirst("(?s).*\\) ", "");
+                    if (etat.startsWith("R") || etat.startsWith("D")) {
+                        return true;
+                    }
+                } catch (IOException e) {
+                    // ce fil vient de finir
+                }
+            }
+        }
+        return false;
+    }
+
+    private static File taches(ProcessHandle un) {
+        return Path.of("/proc", String.valueOf(un.pid()), "task").toFile();
+    }
+
     /** Temps de processeur d'un processus, en secondes. */
     private double mesurer(ProcessHandle un) throws Arret {
-        String[] fils = Path.of("/proc", String.valueOf(un.pid()), "task").toFile().list();
+        String[] fils = taches(un).list();
         if (fils != null && fils.length > Limites.FILS) {
             throw arreter("arrêté : lance sans fin des fils");
         }
@@ -223,8 +253,9 @@ public final class Enfant implements AutoCloseable {
         return new Arret("arrêté : s'est arrêté, statut " + statut, statut == TUE);
     }
 
-    /** Celle-ci en remplace une autre, qui a passé tant de tours sans rien faire. */
-    public void remplacer(int avant) {
+    /** Celle-ci en remplace une autre, qui a passé tant de tours sans rien faire, et continue ce compte de secondes. */
+    public void remplacer(int avant, DoubleAdder compte) {
+        depense = compte;
         endormi = Math.max(0, Math.min(avant, (int) (1000 * SOMMEIL * limites.attente / TOUR_MS) - RESTE));
     }
 

@@ -2,6 +2,7 @@ package lancer.correction.jugement;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Faute;
@@ -12,7 +13,11 @@ import lancer.correction.modele.SourcesDuCours;
 /** Constats sur un rendu déjà jugé : les consignes, et ce que l'enseignant doit examiner. */
 final class Constats {
 
-    private static final List<String> FENETRES = List.of("JOptionPane", "JFrame", "JDialog", "JFileChooser");
+    /** Ce qu'un rendu ne trouve pas ici, et les noms qui le demandent. */
+    private static final Map<String, List<String>> DEHORS = Map.of(
+            "ouvre une fenêtre (%s) : la correction n'a pas d'écran", List.of("JOptionPane", "JFrame", "JDialog", "JFileChooser"),
+            "lit le clavier ou un fichier (%s) : la correction n'a ni l'un, ni ceux que le rendu joint", List.of("Scanner", "Files",
+                    "BufferedReader", "FileReader", "FileInputStream", "getResource", "getResourceAsStream"));
 
     private final JugeRendu juge;
     private final Projet projet;
@@ -58,12 +63,17 @@ final class Constats {
         if (!projet.type("Scene").parListes() && perdues.stream().filter(v -> v.classe.equals("Scene")).count() > 1) {
             resultat.regarder("Scene n'a pas de constructeur par deux listes, et ses vérifications échouent : à vérifier à la main");
         }
-        List<String> fenetres = FENETRES.stream().flatMap(f -> emploient(f).stream()).distinct().collect(Collectors.toList());
-        if (!fenetres.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
-            resultat.regarder("ouvre une fenêtre (" + String.join(", ", fenetres) + ") : la correction n'a pas d'écran");
+        if (autres.isEmpty() && perdues.isEmpty()) {
+            return;
         }
+        DEHORS.forEach((quoi, noms) -> {
+            String classes = noms.stream().flatMap(nom -> emploient(nom).stream()).distinct().collect(Collectors.joining(", "));
+            if (!classes.isEmpty()) {
+                resultat.regarder(String.format(quoi, classes));
+            }
+        });
         String enFloat = String.join(", ", emploient("float"));
-        if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
+        if (!enFloat.isEmpty()) {
             String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
             resultat.remarques.add(0, grain);
             resultat.regarder(grain);
@@ -77,7 +87,8 @@ final class Constats {
         siennes.sort(Comparator.comparing((Faute f) -> !perdues.contains(f.classe())).thenComparing(f -> f.remede.isEmpty()));
         siennes.forEach(f -> resultat.fautes.add(f.toString()));
         // là où git a laissé deux versions, ce que dit le compilateur ne sert à rien
-        siennes.stream().filter(f -> perdues.contains(f.classe()) && !projet.texte(f.classe()).contains("\n>>>>>>> ")).findFirst()
+        boolean coute = resultat.verdicts.values().stream().anyMatch(v -> v.neSeCompilePas() || v.etat == Etat.NON_EVALUABLE);
+        siennes.stream().filter(f -> coute && projet.texte(f.classe()) != null && !projet.texte(f.classe()).contains("\n>>>>>>> ")).findFirst()
                 .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f + " ; pour juger le reste, réparez-la dans une "
                         + "copie du rendu, et jugez cette copie"));
     }

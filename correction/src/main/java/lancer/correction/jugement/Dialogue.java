@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import lancer.correction.Panne;
 import lancer.correction.depot.Faute;
 import lancer.correction.enfant.Echange;
@@ -180,15 +181,15 @@ public final class Dialogue {
      * Ce qui suit la sorte d'une réponse : le résultat.
      *
      * @param fautes les fautes de compilation de ces classes : ce qu'un rendu en dit n'est cru que si le compilateur l'a dit
-     * @throws Echec si le rendu n'a pas répondu
+     * @throws Echec si le rendu n'a pas répondu ; @throws NullPointerException si un des textes n'est pas là
      */
     static List<?> resultat(List<?> reponse, List<Faute> fautes) {
         Object sorte = reponse.get(0);
         if (sorte.equals(Execution.RENDU)) {
             return reponse.subList(1, reponse.size());
         }
-        String ou = (String) reponse.get(1);
-        String quoi = (String) reponse.get(2);
+        String ou = Objects.requireNonNull((String) reponse.get(1));
+        String quoi = Objects.requireNonNull((String) reponse.get(2));
         if (sorte.equals(Execution.SANS_FIN)) {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);

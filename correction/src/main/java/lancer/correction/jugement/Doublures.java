@@ -70,7 +70,9 @@ final class Doublures {
                 .sorted(Comparator.comparing(f -> f.getDeclaringClass() == classe)).collect(Collectors.toList());
         noms = "if (o instanceof " + nom + ") return \"" + nom + "\";\n" + noms;
         if (!publics.isEmpty()) {
-            champs = "if (o instanceof " + nom + ") return champs((" + nom + ") o);\n" + champs;
+            String noms = publics.stream().map(c -> "\"" + c.getName() + "\"").collect(Collectors.joining(", "));
+            champs = "if (o instanceof " + nom + ") try { return champs((" + nom + ") o); } catch (Error e) { return lire(o, e, " + noms
+                    + "); }\n" + champs;
             appels.append("static Object[] champs(" + nom + " o) { return new Object[] {" + publics.stream()
                     .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }

@@ -88,7 +88,7 @@ final class JugeImage {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.FAUSSE, "", e.getMessage());
         } catch (Dialogue.Echec e) {
-            return new Verdict(Etat.FAUSSE, "", e.getMessage(), e.faute);
+            return new Verdict(Etat.FAUSSE, "", e.getMessage(), e.faute, "");
         }
     }
 

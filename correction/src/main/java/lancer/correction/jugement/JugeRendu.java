@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,7 +10,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.depot.Faute;
@@ -38,10 +36,6 @@ final class JugeRendu implements AutoCloseable {
     final JugeImage images;
     final Assemblage ensemble;
     private final Map<String, Assemblage> seules = new HashMap<>();
-    /** Classes dont dépend une classe qui ne se compile pas seule avec le corrigé. */
-    private final Map<String, String> dependances = new HashMap<>();
-    /** Vérifications que la classe visée réussit seule, et rate avec les autres classes du rendu. */
-    private final List<Verification> cachees = new ArrayList<>();
 
     JugeRendu(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
             throws Arret {
@@ -50,7 +44,7 @@ final class JugeRendu implements AutoCloseable {
         this.machines = machines;
         this.projet = projet;
         this.resultat = resultat;
-        vives = new Machines.Rendue[] {machines.new Rendue(null), machines.new Rendue(null)};
+        vives = new Machines.Rendue[] {machines.new Rendue(null, resultat.depense), machines.new Rendue(null, resultat.depense)};
         images = new JugeImage(this, reference);
         ensemble = assembler(base(Map.of()));
     }
@@ -75,7 +69,7 @@ final class JugeRendu implements AutoCloseable {
         int place = assemblage == ensemble ? 0 : 1;
         if (vives[place].assemblage != assemblage) {
             vives[place].close();
-            vives[place] = machines.new Rendue(assemblage);
+            vives[place] = machines.new Rendue(assemblage, resultat.depense);
         }
         return vives[place];
     }
@@ -114,7 +108,9 @@ final class JugeRendu implements AutoCloseable {
         for (Verification v : reference.verifications) {
             resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule.get(v.id())));
         }
-        imputer();
+        verifications(v -> v.etape.equals(Verification.REPETITION) && resultat.verdicts.get(v.id()).rate())
+                .forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
+        imputer(verifications(v -> toutes.verdicts.get(v.id()).etat != Etat.REUSSI && resultat.verdicts.get(v.id()).compte()));
         if (toutes.coupe()) {
             Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene,
                     new Verdict(Etat.FAUSSE, "", "trop de vérifications n'ont pas fini : " + toutes.pourquoi)));
@@ -131,65 +127,45 @@ final class JugeRendu implements AutoCloseable {
     }
 
     /**
-     * Attribue à une autre classe les vérifications que la classe visée réussit seule. Si l'autre classe n'a aucune faute par ailleurs, la
-     * vérification lui coûte des points ; une classe donnée achevée, que l'étudiant a changée, paie tout ce qu'elle rend faux. Si aucune
-     * classe n'échoue seule, la vérification coûte à la classe visée.
+     * Impute les vérifications que la classe visée réussit seule, et rate avec les autres. Celles qui réussissent quand le corrigé remplace
+     * les classes fautives ne coûtent rien de plus. Les autres coûtent une seule vérification aux classes qui suffisent à les faire échouer.
      */
-    private void imputer() throws Arret {
-        List<String> suspectes = new ArrayList<>(SourcesDuCours.A_COMPLETER);
-        suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
-        suspectes.addAll(changees(SourcesDuCours.DONNEES));
-        for (String classe : suspectes) {
-            if (cachees.isEmpty() || seules.containsKey(classe) && seules.get(classe).arrete) {
-                continue;
+    private void imputer(List<Verification> cachees) throws Arret {
+        List<String> siennes = changees(SourcesDuCours.classes());
+        siennes.removeIf(this::aUneFaute);
+        for (List<Verification> restent = ratees(siennes, cachees); !restent.isEmpty(); restent = ratees(siennes, restent)) {
+            List<String> reunies = new ArrayList<>(siennes);
+            for (String classe : siennes) {
+                reunies.remove(classe);
+                if (ratees(reunies, restent.subList(0, 1)).isEmpty()) {
+                    reunies.add(classe);
+                }
             }
-            boolean paie = SourcesDuCours.A_COMPLETER.contains(classe) && aUneFaute(classe);
-            Map<String, Verdict> parElle = lancer(seule(classe), cachees).verdicts;
-            retirer(parElle).forEach(v -> charger(v, paie ? Etat.REUSSI : Etat.FAUSSE, parElle.get(v.id()).message, classe));
-        }
-        chercherCeQuiEstGarde();
-        // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
-        cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
-        for (Verification v : cachees) {
-            charger(v, Etat.FAUSSE, resultat.verdicts.get(v.id()).message, v.classe);
-            resultat.regarder("« " + v.titre + " » n'échoue qu'avec toutes les classes ensemble");
-        }
-    }
-
-    /**
-     * Attribue, parmi les vérifications cachées, celles qui échouent quand elles suivent toutes les autres, à la classe dont les réponses
-     * changent d'un appel à l'autre.
-     */
-    private void chercherCeQuiEstGarde() throws Arret {
-        List<Verification> changeantes = verifications(v -> v.etape.equals(Verification.REPETITION)
-                && resultat.verdicts.get(v.id()).rate());
-        changeantes.forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
-        for (String classe : changeantes.stream().map(v -> v.classe).collect(Collectors.toSet())) {
-            if (cachees.isEmpty()) {
-                break;
+            Verification payee = restent.stream().filter(v -> reunies.contains(v.classe)).findFirst().orElse(restent.get(0));
+            String fautives = String.join(", ", reunies);
+            resultat.verdicts.put(payee.id(), new Verdict(Etat.FAUSSE, fautives, resultat.verdicts.get(payee.id()).message
+                    + (reunies.size() == 1 ? " ; " + payee.classe + " est juste, la faute est dans " + fautives : "")));
+            montrer(payee, reunies.get(0));
+            if (reunies.size() > 1) {
+                resultat.regarder("« " + payee.titre + " » n'échoue qu'avec " + fautives + " ensemble");
             }
-            Map<String, Verdict> ensuite = lancer(seule(classe), reference.verifications).verdicts;
-            retirer(ensuite).forEach(v -> charger(v, Etat.FAUSSE,
-                    "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe, classe));
+            siennes.removeAll(reunies);
         }
     }
 
-    /** Retire, des vérifications cachées, celles qui échouent ici. @return celles-là */
-    private List<Verification> retirer(Map<String, Verdict> verdicts) {
-        List<Verification> echouent = new ArrayList<>(cachees);
-        echouent.removeIf(v -> verdicts.get(v.id()).etat == Etat.REUSSI);
-        cachees.removeAll(echouent);
-        return echouent;
+    /** Celles de ces vérifications qui échouent avec ces seules classes de l'étudiant, à leur place parmi toutes. */
+    private List<Verification> ratees(List<String> siennes, List<Verification> lesquelles) throws Arret {
+        if (siennes.isEmpty() || lesquelles.isEmpty()) {
+            return List.of();
+        }
+        Map<String, Verdict> verdicts = lancer(avec(siennes), reference.verifications).verdicts;
+        return lesquelles.stream().filter(v -> verdicts.get(v.id()).etat != Etat.REUSSI && !verdicts.get(v.id()).neSeCompilePas())
+                .collect(Collectors.toList());
     }
 
-    private void charger(Verification v, Etat etat, String message, String classe) {
-        resultat.verdicts.put(v.id(), new Verdict(etat, classe, message + (classe.equals(v.classe) ? ""
-                : " ; " + v.classe + " est juste, la faute est dans " + classe)));
-        montrer(v, classe);
-    }
-
+    /** Dit si une vérification qui vise cette classe ne rapporte pas ses points. */
     boolean aUneFaute(String classe) {
-        return !verifications(v -> v.classe.equals(classe) && resultat.verdicts.containsKey(v.id())
+        return !verifications(v -> v.classe.equals(classe) && !v.etape.equals(Verification.REPETITION)
                 && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
@@ -211,7 +187,7 @@ final class JugeRendu implements AutoCloseable {
     /** Retient, pour la page, les méthodes que vise une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
-            Set<String> lesquelles = nommees(v, classe);
+            Set<String> lesquelles = visees(v, classe);
             List<Signature> toutes = projet.type(classe).methodes;
             String visees = toutes.stream().filter(m -> lesquelles.contains(m.nom)).map(m -> m.texte + "\n").collect(Collectors.joining());
             // les méthodes privées qu'elles appellent en sont une partie
@@ -220,53 +196,55 @@ final class JugeRendu implements AutoCloseable {
         }
     }
 
-    /** La classe de l'étudiant, seule avec celles du corrigé ; si elle en a besoin, avec d'autres classes de l'étudiant. */
+    /** Cette classe de l'étudiant, ou à défaut celle du projet à compléter, seule avec celles du corrigé. */
     Assemblage seule(String classe) throws Arret {
-        if (seules.containsKey(classe)) {
-            return seules.get(classe);
+        if (!seules.containsKey(classe)) {
+            seules.put(classe, avec(List.of(classe)));
         }
-        // classes ajoutées par l'étudiant, puis corrigé, puis cette classe ; si elle n'est pas rendue, celle du projet à compléter
-        Map<String, String> sources = new TreeMap<>(projet.base);
-        sources.putAll(SourcesDuCours.tout(SourcesDuCours::corrige));
-        sources.put("lancer/" + classe, projet.texte(classe) != null ? projet.texte(classe)
-                : SourcesDuCours.squelette(classe));
-        Assemblage seule = assembler(sources);
-        // les classes de l'étudiant qu'elle utilise, puis celles que ces classes utilisent
-        Set<String> avec = new LinkedHashSet<>();
-        while (fautesNouvelles(seule, classe)) {
-            List<String> deplus = employees(avec.isEmpty() ? Set.of(classe) : avec);
-            deplus.remove(classe);
-            if (!avec.addAll(deplus)) {
-                String cassees = seule.fautes.stream().map(Faute::classe).filter(avec::contains).distinct()
-                        .collect(Collectors.joining(", "));
-                dependances.put(classe, cassees.isEmpty() ? String.join(", ", avec) : cassees);
-                break;
+        return seules.get(classe);
+    }
+
+    /** Ces classes de l'étudiant, et celles dont elles ont besoin, avec celles du corrigé. */
+    private Assemblage avec(List<String> classes) throws Arret {
+        Set<String> siennes = new LinkedHashSet<>(classes);
+        Assemblage assemblage;
+        do {
+            // les classes ajoutées par l'étudiant, puis le corrigé, puis ces classes
+            Map<String, String> sources = new TreeMap<>(projet.base);
+            sources.putAll(SourcesDuCours.tout(SourcesDuCours::corrige));
+            siennes.forEach(c -> sources.put("lancer/" + c, projet.texte(c) != null ? projet.texte(c) : SourcesDuCours.squelette(c)));
+            assemblage = assembler(sources);
+        } while (siennes.addAll(necessaires(assemblage, siennes)));
+        if (classes.size() == 1 && siennes.size() > 1) {
+            resultat.remarques.add(classes.get(0) + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
+                    + siennes.stream().skip(1).collect(Collectors.joining(", ")));
+        }
+        return assemblage;
+    }
+
+    /**
+     * Les classes de l'étudiant que demandent les fautes de compilation qui ne sont pas dans le rendu : celle du corrigé qui ne se compile
+     * plus ; pour une des siennes, celles qu'elle emploie et qui ont plus de méthodes que le cours ou, à défaut, toutes celles qu'elle emploie.
+     */
+    private Set<String> necessaires(Assemblage assemblage, Set<String> siennes) {
+        Set<String> necessaires = new LinkedHashSet<>();
+        for (String classe : SourcesDuCours.classes()) {
+            // Main, que rien n'appelle ici, peut ignorer une exception que la classe annonce
+            if (!classe.equals("Main") && assemblage.fautesDe(classe).size() > ensemble.fautesDe(classe).size()) {
+                List<String> employees = siennes.contains(classe) ? employees(classe) : List.of(classe);
+                List<String> augmentees = employees.stream().filter(projet::augmentee).collect(Collectors.toList());
+                necessaires.addAll(siennes.containsAll(augmentees) ? employees : augmentees);
             }
-            avec.forEach(c -> sources.put("lancer/" + c, projet.texte(c)));
-            seule = assembler(sources);
         }
-        if (!avec.isEmpty() && !dependances.containsKey(classe)) {
-            resultat.remarques.add(classe + " a besoin de ce que vous avez ajouté ailleurs : jugée avec vos classes "
-                    + String.join(", ", avec));
-        }
-        seules.put(classe, seule);
-        return seule;
+        necessaires.removeIf(c -> projet.texte(c) == null);
+        return necessaires;
     }
 
-    /** Les classes rendues que ces classes utilisent, d'après leur nom ou celui d'un champ. */
-    private List<String> employees(Set<String> classes) {
-        return SourcesDuCours.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main")
-                && classes.stream().map(projet::type)
-                .anyMatch(t -> t.noms.contains(c) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
-                .collect(Collectors.toList());
-    }
-
-    /** Dit si la classe, avec celles du corrigé, cause des fautes de compilation qu'elle ne cause pas dans le rendu. */
-    private boolean fautesNouvelles(Assemblage seule, String classe) {
-        // Main, que rien n'appelle ici, peut ignorer une exception que la classe annonce
-        return seule.fautesDe(classe).size() > ensemble.fautesDe(classe).size() || seule.fautes.stream().anyMatch(f -> !f.classe()
-                .equals("Main") && SourcesDuCours.classes().contains(f.classe()) && !f.classe().equals(classe)
-                && ensemble.fautesDe(f.classe()).isEmpty());
+    /** Les classes du cours qu'une classe rendue emploie, d'après leur nom ou celui d'un champ. */
+    private List<String> employees(String classe) {
+        Set<String> noms = projet.type(classe).noms;
+        return SourcesDuCours.classes().stream().filter(c -> !c.equals("Main") && (noms.contains(c)
+                || noms.contains(c.toLowerCase(Locale.ROOT)))).collect(Collectors.toList());
     }
 
     Verifications.Bilan lancer(Assemblage assemblage, List<Verification> verifications) {
@@ -287,7 +265,6 @@ final class JugeRendu implements AutoCloseable {
                     ? " n'est pas dans le rendu" : " est celle du projet à compléter"));
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
-            cachees.add(v);
             return new Verdict(Etat.REUSSI, "", ensemble.message);
         }
         // si elle ne se compile que dans le rendu, elle y est jugée
@@ -301,17 +278,18 @@ final class JugeRendu implements AutoCloseable {
             return fauteDeCompilation(v, verdict);
         }
         return verdict.message.equals(reference.duSquelette(v).message)
-                && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
+                && !visees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
                 ? new Verdict(Etat.NON_COMMENCE, v.classe, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
     private Verdict fauteDeCompilation(Verification v, Verdict verdict) {
-        if (dependances.containsKey(v.classe)) {
-            return new Verdict(Etat.NON_EVALUABLE, dependances.get(v.classe), "dépend de " + dependances.get(v.classe));
+        String autres = siennes().stream().map(Faute::classe).distinct().collect(Collectors.joining(", "));
+        if (ensemble.fautesDe(v.classe).isEmpty() && !autres.isEmpty()) {
+            return new Verdict(Etat.NON_EVALUABLE, autres, "dépend de " + autres);
         }
         return !verdict.faute.isEmpty() ? verdict : new Verdict(Etat.FAUSSE, v.classe, verdict.message
                 + Stream.concat(ensemble.fautesDe(v.classe).stream(), siennes().stream()).findFirst().map(f -> " ; " + f).orElse(""),
-                verdict.faute);
+                verdict.faute, "");
     }
 
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
@@ -326,30 +304,25 @@ final class JugeRendu implements AutoCloseable {
         return noms;
     }
 
-    /** Les méthodes à compléter que nomme cette vérification ou, à défaut, toutes celles de la classe. */
-    private Set<String> nommees(Verification v, String classe) {
+    /** Les méthodes à compléter de cette classe que demande une vérification ; toutes, si elle n'en nomme pas de cette classe. */
+    private Set<String> visees(Verification v, String classe) {
         Set<String> toutes = methodes(classe).keySet();
-        Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
-                .matcher(v.titre).find()).collect(Collectors.toCollection(TreeSet::new));
+        Set<String> nommees = new TreeSet<>(toutes);
+        nommees.retainAll(v.classe.equals(classe) ? v.methodes : List.of());
         return nommees.isEmpty() ? toutes : nommees;
     }
 
-    /** Verdict d'une étape sans effet visible, dont la méthode est écrite : la faute est dans cette classe ou dans une autre. */
+    /** Verdict d'une étape sans effet visible : si la méthode est écrite, la faute est dans cette classe ou dans une autre. */
     private Verdict commencee(Verification v, Verdict verdict) {
-        String message = verdict.message;
-        String ecrite = changees(SourcesDuCours.A_COMPLETER).stream()
-                .filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
-                && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && message.contains(m.getKey())))
-                .findFirst().orElse(null);
-        if (ecrite == null || ecrite.equals(v.classe)) {
-            return ecrite == null ? verdict : new Verdict(Etat.FAUSSE, v.classe, message);
+        boolean memeMethode = verdict.classe.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape);
+        if (memeMethode || !aEcrit(verdict.classe, verdict.methode)) {
+            return new Verdict(Etat.NON_COMMENCE, v.classe, verdict.message);
+        } else if (verdict.classe.equals(v.classe)) {
+            return new Verdict(Etat.FAUSSE, v.classe, verdict.message);
         }
-        // la classe qui contient la méthode, ou une classe déjà jugée dont elle dépend
-        String fautive = Stream.concat(Stream.of(ecrite), SourcesDuCours.A_COMPLETER.stream())
-                .filter(c -> !c.equals(v.classe) && aUneFaute(c))
-                .findFirst().orElse(ecrite);
-        resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
-        return new Verdict(Etat.NON_EVALUABLE, fautive, message + " ; la faute est dans " + fautive);
+        resultat.regarder(verdict.message + " : la faute est dans " + verdict.classe + ", et " + v.classe
+                + " n'a pu être évaluée sans elle");
+        return new Verdict(Etat.NON_EVALUABLE, verdict.classe, verdict.message + " ; la faute est dans " + verdict.classe);
     }
 
     /** Dit si l'étudiant a écrit cette méthode à compléter. */

@@ -28,6 +28,8 @@ import org.apache.commons.io.FileUtils;
 public class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
+    /** Durée permise à un rendu, en fois son temps de calcul : une machine chargée le fait attendre. */
+    private static final int MUR = 10;
 
     final Machines machines;
     private final Path travail;
@@ -35,7 +37,7 @@ public class Jury implements AutoCloseable {
     private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
     private final Confinement confinement;
     private final long graine;
-    /** Durée maximale d'un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
+    /** Temps de calcul et de sommeil permis à un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
     int dureeMax = 300;
     private Reference reference;
 
@@ -97,13 +99,19 @@ public class Jury implements AutoCloseable {
 
     /** Juge un rendu dans un fil que l'on abandonne s'il dure trop. */
     private Resultat limiter(Rendu rendu) throws InterruptedException {
-        FutureTask<Resultat> tache = new FutureTask<>(() -> juger(rendu));
+        Resultat resultat = new Resultat(rendu, confinement.manque);
+        FutureTask<Resultat> tache = new FutureTask<>(() -> juger(rendu, resultat));
         Thread fil = new Thread(tache, "jury");
         fil.setDaemon(true);
         fil.start();
         try {
-            return tache.get(dureeMax, TimeUnit.SECONDS);
-        } catch (TimeoutException e) {
+            for (long tours = 0; tours < MUR * dureeMax && resultat.depense.sum() <= dureeMax; tours++) {
+                try {
+                    return tache.get(1, TimeUnit.SECONDS);
+                } catch (TimeoutException e) {
+                    // elle n'a pas fini
+                }
+            }
             tache.cancel(true);
             return refuse(rendu, List.of("arrêté : plus de " + dureeMax + " s en tout"));
         } catch (ExecutionException e) {
@@ -118,14 +126,13 @@ public class Jury implements AutoCloseable {
         }
     }
 
-    private Resultat juger(Rendu rendu) {
+    private Resultat juger(Rendu rendu, Resultat resultat) {
         if (rendu.sources.isEmpty()) {
             return refuse(rendu, rendu.refus);
         }
         Machines.Compilation libre = compilations.poll();
         Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
-        Resultat resultat = new Resultat(rendu, confinement.manque);
-        try (JugeRendu juge = new JugeRendu(reference, compilation, machines, Projet.lire(rendu, compilation::lire, reference.cours),
+        try (JugeRendu juge = new JugeRendu(reference, compilation, machines, Projet.lire(rendu, compilation, reference.cours),
                 resultat)) {
             juge.juger();
         } catch (Arret e) {

@@ -17,7 +17,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.ServiceLoader;
+import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -28,6 +30,7 @@ import lancer.correction.Panne;
 import lancer.correction.depot.Compilateur;
 import lancer.correction.depot.Faute;
 import lancer.correction.depot.Lecteur;
+import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
@@ -93,6 +96,8 @@ final class Machines {
     private abstract class Machine implements AutoCloseable {
 
         Enfant enfant;
+        /** Secondes de calcul et de sommeil de toutes les machines du même compte. */
+        DoubleAdder depense = new DoubleAdder();
         private int endormi;
 
         /**
@@ -108,7 +113,7 @@ final class Machines {
             boolean executee = principale == Execution.class;
             enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes), siennes,
                     confinement.confine);
-            enfant.remplacer(endormi);
+            enfant.remplacer(endormi, depense);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
                 demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
@@ -173,20 +178,25 @@ final class Machines {
     }
 
     /** Machine virtuelle qui lit et compile des sources ; elle n'exécute aucun rendu. */
-    final class Compilation extends Machine {
+    final class Compilation extends Machine implements Source.Lecture {
 
-        /** Lecture de ces textes par le JDK : voir {@link Lecteur#lire}. */
-        Lecteur.Fichier[] lire(List<String> textes) throws Arret {
+        @Override
+        public Lecteur.Fichier[] lire(List<String> textes) throws Arret {
             Map<String, String> tous = new LinkedHashMap<>();
             textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
             return demander(Compilateur.LIRE, tous, Compilateur::lus);
+        }
+
+        @Override
+        public boolean compile(Map<String, String> classes) throws Arret {
+            return compiler(classes).fautes.isEmpty();
         }
 
         private <T> T demander(String sorte, Map<String, String> textes, Function<List<?>, T> lecture) throws Arret {
             lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Echange.message(List.of(Compilateur.COMPILER), o -> null));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(Echange.message(Compilateur.demande(sorte, textes), o -> null), Echange.GROSSE_REPONSE_MAX,
+                return demander(Echange.message(Compilateur.demande(sorte, textes), o -> null), Echange.COMPILATION_MAX,
                         reponse -> lecture.apply((List<?>) Echange.lire(reponse, o -> null)));
             } catch (Arret e) {
                 if (e.tue) {
@@ -215,8 +225,9 @@ final class Machines {
 
         final Assemblage assemblage;
 
-        Rendue(Assemblage assemblage) {
+        Rendue(Assemblage assemblage, DoubleAdder depense) {
             this.assemblage = assemblage;
+            this.depense = depense;
         }
 
         /** Demande ceci à un rendu, et rend ce que donne sa réponse. */
@@ -258,16 +269,24 @@ final class Machines {
             }, Execution.APPEL, methode, arguments);
         }
 
+        /** @throws ClassCastException si cette réponse n'est ni une image, ni une liste de textes, selon ce qui est attendu */
+        private <T> T lire(Class<T> sorte, Object reponse) {
+            if (sorte == List.class) {
+                ((List<?>) reponse).forEach(texte -> ((String) texte).length());
+            }
+            return sorte.cast(Objects.requireNonNull(reponse));
+        }
+
         /**
          * Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène.
          *
          * @param fois voir {@link #commencer} ; @throws Dialogue.Echec si elle échoue
          */
         <T> T sonder(Class<T> sorte, double fois, String methode, String scene, Object... arguments) throws Arret {
-            int max = sorte == byte[].class ? Echange.GROSSE_REPONSE_MAX : Echange.REPONSE_MAX;
+            int max = sorte == byte[].class ? Echange.IMAGE_MAX : Echange.REPONSE_MAX;
             commencer(fois);
             try {
-                return demander(max, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
+                return demander(max, reponse -> lire(sorte, reponse.get(0)), Execution.SONDE, methode,
                         scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
             } catch (StackOverflowError e) {
                 throw new Dialogue.Echec(e.getMessage());

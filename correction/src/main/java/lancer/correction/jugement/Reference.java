@@ -46,11 +46,11 @@ public final class Reference implements AutoCloseable {
     /** @param graine le nombre d'où viennent les scènes jugées */
     Reference(Machines machines, Machines.Compilation compilation, long graine) throws Arret {
         this.graine = graine;
-        cours = new Cours(compilation::lire);
+        cours = new Cours(compilation);
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
-        Projet projet = Projet.lire(squelette, compilation::lire, cours);
+        Projet projet = Projet.lire(squelette, compilation, cours);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();

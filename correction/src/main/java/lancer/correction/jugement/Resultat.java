@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.DoubleAdder;
 import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Texte;
 
@@ -39,7 +40,7 @@ public final class Resultat {
     public final List<String> aRegarder = new ArrayList<>();
     /** Méthode de l'étudiant que vise chaque critère raté. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
-    /** Les empreintes des classes, sans les noms de leurs variables. */
+    /** Les empreintes de ses longues méthodes, sans les noms de leurs variables. */
     public final Map<String, String> formes = new TreeMap<>();
     /** Les images dessinées : par scène, avec toutes les classes du rendu ; par extension, celle de l'extension. */
     public final Map<String, Image> images = new LinkedHashMap<>();
@@ -49,6 +50,9 @@ public final class Resultat {
     public Chemin chemin;
     /** Les classes qui, seules avec celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
+
+    /** Secondes de calcul et de sommeil de ses machines virtuelles. */
+    final transient DoubleAdder depense = new DoubleAdder();
 
     Resultat(Rendu rendu, String sansConfinement) {
         this.id = rendu.id;

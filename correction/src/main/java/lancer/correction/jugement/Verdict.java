@@ -1,5 +1,7 @@
 package lancer.correction.jugement;
 
+import java.util.Objects;
+
 /** Résultat d'une vérification, et la classe en cause si elle échoue. */
 public final class Verdict {
 
@@ -25,16 +27,19 @@ public final class Verdict {
     public final String message;
     /** Ce que dit le compilateur, vide s'il ne se sait pas ; {@code null} si ce n'est pas une faute de compilation. */
     final String faute;
+    /** La méthode de cette classe qui n'est pas commencée, vide si ce n'est pas ce que dit la vérification. */
+    final transient String methode;
 
     public Verdict(Etat etat, String classe, String message) {
-        this(etat, classe, message, null);
+        this(etat, classe, message, null, "");
     }
 
-    Verdict(Etat etat, String classe, String message, String faute) {
+    Verdict(Etat etat, String classe, String message, String faute, String methode) {
         this.etat = etat;
         this.classe = classe;
-        this.message = message;
+        this.message = Objects.requireNonNull(message);
         this.faute = faute;
+        this.methode = methode;
     }
 
     /** Dit si la méthode vérifiée ne se compile pas. */

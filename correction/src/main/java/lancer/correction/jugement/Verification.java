@@ -4,6 +4,7 @@ import java.lang.annotation.Annotation;
 import java.lang.reflect.Method;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.platform.commons.support.ReflectionSupport;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestIdentifier;
 
@@ -51,16 +52,12 @@ public final class Verification {
         return ((Class<?>) demande(test, "classe")).getSimpleName();
     }
 
-    /** Ce que dit l'annotation d'une vérification, ou à défaut celle de son étape ; une autre machine virtuelle la compile. */
+    /** Ce que dit l'annotation d'une vérification, ou à défaut celle de son étape ; sa classe est d'un autre chargeur. */
     private static Object demande(TestIdentifier test, String quoi) {
         Method methode = source(test).getJavaMethod();
         Annotation demande = Stream.of(methode, methode.getDeclaringClass()).flatMap(e -> Stream.of(e.getAnnotations()))
                 .filter(a -> a.annotationType().getName().equals("lancer.Demande")).findFirst().get();
-        try {
-            return demande.annotationType().getMethod(quoi).invoke(demande);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
+        return ReflectionSupport.invokeMethod(ReflectionSupport.findMethod(demande.annotationType(), quoi).get(), demande);
     }
 
     public String id() {

@@ -10,6 +10,8 @@ import java.util.stream.Collectors;
 import lancer.correction.enfant.Execution;
 import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.Verdict.Etat;
+import org.junit.platform.commons.support.HierarchyTraversalMode;
+import org.junit.platform.commons.support.ReflectionSupport;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
@@ -30,9 +32,9 @@ final class Verifications {
     private static final String GRAINE = "tests.graine";
     /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas exécutées. */
     private static final int ARRETS_MAX = 3;
-    /** Débuts de ce que dit une vérification abandonnée. */
-    private static final String NON_EVALUABLE = "étape non évaluable : ";
-    private static final String NON_COMMENCEE = "étape non commencée : ";
+    /** Pourquoi une vérification est abandonnée, d'après le nom de l'exception qui le dit : elle est d'un autre chargeur. */
+    private static final Map<String, Etat> ABANDONS =
+            Map.of("NonEvaluable", Etat.NON_EVALUABLE, "NonCommencee", Etat.NON_COMMENCE);
 
     private final ClassLoader chargeur;
     private final long graine;
@@ -100,20 +102,25 @@ final class Verifications {
             if (cause == null) {
                 return new Verdict(Etat.REUSSI, v.classe, "");
             }
-            String message = message(cause);
-            if (fin.getStatus() == TestExecutionResult.Status.ABORTED) {
-                Etat etat = message.startsWith(NON_EVALUABLE) ? Etat.NON_EVALUABLE : Etat.NON_COMMENCE;
-                return new Verdict(etat, v.classe, message.replaceFirst("^(" + NON_EVALUABLE + "|" + NON_COMMENCEE + ")", ""));
+            Etat etat = ABANDONS.getOrDefault(cause.getClass().getSimpleName(), Etat.FAUSSE);
+            if (etat == Etat.NON_COMMENCE) {
+                return new Verdict(etat, ((Class<?>) champ(cause, "classe")).getSimpleName(), Texte.protege((String) champ(cause, "dit")),
+                        null, (String) champ(cause, "methode"));
+            } else if (etat == Etat.NON_EVALUABLE) {
+                return new Verdict(etat, v.classe, Texte.protege((String) champ(cause, "dit")));
             }
-            return new Verdict(Etat.FAUSSE, v.classe, message, cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null);
+            return new Verdict(etat, v.classe, message(cause), cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null, "");
+        }
+
+        private static Object champ(Throwable abandon, String nom) {
+            return ReflectionSupport.findFields(abandon.getClass(), c -> c.getName().equals(nom), HierarchyTraversalMode.TOP_DOWN).stream()
+                    .map(c -> ReflectionSupport.tryToReadFieldValue(c, abandon).toOptional().get()).findFirst().get();
         }
 
         private static String message(Throwable e) {
             String message = String.valueOf(e.getMessage());
-            boolean parle = e instanceof AssertionError || e instanceof Dialogue.Echec
-                    || e instanceof StackOverflowError || e.getClass().getName().startsWith("org.opentest4j.");
-            if (parle) {
-                return Texte.protege(message.replaceFirst("^Assumption failed: ", ""));
+            if (e instanceof AssertionError || e instanceof Dialogue.Echec || e instanceof StackOverflowError) {
+                return Texte.protege(message);
             } else if (e instanceof NullPointerException) {
                 return "une méthode rend null, là où la vérification attend un objet";
             }

@@ -150,6 +150,26 @@ class HostilesTest extends JuryEssai {
         }
     }
 
+    /** Écrites sur la sortie à la place de l'image, sous le numéro de sa demande : une liste sans texte, des listes l'une dans l'autre. */
+    @Test
+    void uneReponseForgeeNeCouteQueLImage() throws IOException {
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        for (String[] forge : new String[][] {{"sans-texte", "13", "s.writeBytes(\"l\\0\\0\\0\\3t\\0\\0\\0\\1Enn\");"},
+            {"emboitees", "500000", "for (int k = 0; k < 100000; k++) s.writeBytes(\"l\\0\\0\\0\\1\");"}}) {
+            Path sources = ecrireCorrige(rendus.resolve(forge[0]));
+            changer(sources, "Lancer", "this.scene = scene;", "this.scene = scene;\n"
+                    + "for (StackTraceElement e : new Throwable().getStackTrace()) if (e.getMethodName().equals(\"dessiner\")) try {\n"
+                    + "java.io.ByteArrayOutputStream o = new java.io.ByteArrayOutputStream();\n"
+                    + "java.io.DataOutputStream s = new java.io.DataOutputStream(o); s.writeInt(3); s.writeInt(" + forge[1] + "); " + forge[2]
+                    + "\no.writeTo(new java.io.FileOutputStream(java.io.FileDescriptor.out)); } catch (java.io.IOException x) { }\n");
+        }
+        Map<String, Resultat> resultats = juger(rendus, Confinement.essayer(), PATIENTES);
+        resultats.forEach((nom, resultat) -> {
+            assertEquals(new TreeSet<>(List.of(GrilleDeNotation.IMAGE)), ratees(resultat), nom);
+            assertEquals("arrêté : a répondu ce qui n'a pas de sens", resultat.verdicts.get("image.scene1").message, nom);
+        });
+    }
+
     private static String methodes(int combien) {
         return IntStream.range(0, combien).mapToObj(k -> "void m" + k + "() {}").collect(Collectors.joining());
     }
