@@ -69,8 +69,7 @@ public final class Couleur {
     }
 
     private static int octet(double composante) {
-        // le plus grand nombre inférieur à 1/2 : avec 1/2, la somme pourrait s'arrondir à l'entier suivant
-        return (int) (255 * Math.max(0, Math.min(1, composante)) + 0x1.fffffffffffffp-2);
+        return (int) (255 * Math.max(0, Math.min(1, composante)) + 0.5);
     }
 
     public static Couleur add(Couleur c, Couleur d) {

@@ -73,15 +73,17 @@ class TheorieTest {
     void leSeuilPorteSurLaPlusGrandeComposanteDuProduitDesKs() {
         Sphere fond = boule(0, 0, 5, 1, 0.01, 0, 1);
         Sphere face = boule(0, 0, -5, 1, 0.01, 0, 1);
-        fond.setKs(new Couleur(1, 0.1, 0));
-        face.setKs(new Couleur(1, 0, 0.1));
-        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(1));
-        scene.getCouleurVue(DEVANT, null, 40);
-        assertEquals(40, scene.getCompteurs().reflechis, "le rouge continue");
+        for (Couleur seule : new Couleur[] {new Couleur(1, 0.1, 0), new Couleur(0.1, 1, 0), new Couleur(0.1, 0, 1)}) {
+            fond.setKs(seule);
+            face.setKs(seule);
+            Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(1));
+            scene.getCouleurVue(DEVANT, null, 40);
+            assertEquals(40, scene.getCompteurs().reflechis, "une composante suffit : " + seule);
+        }
         // égal au seuil : encore suivi
         fond.setKs(new Couleur(0.5));
         face.setKs(new Couleur(0.5));
-        Scene demi = scene(Arrays.asList(fond, face), scene.getLampes().get(0)).avec(new Modele().avecSeuil(0.125));
+        Scene demi = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(0.125));
         demi.getCouleurVue(DEVANT, null, 40);
         assertEquals(3, demi.getCompteurs().reflechis);
     }
@@ -89,8 +91,13 @@ class TheorieTest {
     @Test
     void unPoliNulDonneUnRefletEntierSurToutLeCoteEclaire() {
         Sphere boule = boule(0, 0, 5, 1, 0, 0.5, 0);
-        Scene cote = scene(Collections.singletonList(boule), new Lampe(new Point(50, 0, 3), new Couleur(1)));
-        assertEquals(0.5, cote.getCouleurVue(DEVANT, null, 0).r, 0, "R·L < 0, mais 0^0 = 1");
+        // le contact est en (−0.8, 0, 4.4) : N = (−0.8, 0, −0.6), R = (−0.96, 0, 0.28), N·L = 0.352 et R·L = −0.5376
+        Rayon deCote = new Rayon(new Point(-0.8, 0, 0), new Vecteur(0, 0, 1));
+        Scene cote = scene(Collections.singletonList(boule), new Lampe(new Point(2, 0, -5.2), new Couleur(1)));
+        assertEquals(0.5, cote.getCouleurVue(deCote, null, 0).r, 0, "R·L < 0, mais 0^0 = 1");
+        boule.setNs(1e-3);
+        assertEquals(0, cote.getCouleurVue(deCote, null, 0).r, 0, "0^ns = 0 pour tout autre ns");
+        boule.setNs(0);
         Scene dos = scene(Collections.singletonList(boule), new Lampe(new Point(0, 0, 50), new Couleur(1)));
         assertEquals(new Couleur(), dos.getCouleurVue(DEVANT, null, 0));
     }

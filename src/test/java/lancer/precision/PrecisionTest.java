@@ -69,7 +69,7 @@ class PrecisionTest {
     }
 
     /** Les familles de tirages. */
-    enum Famille { SOL, SURFACE, PROCHE, DEDANS, LOIN, RASANT, HORIZON }
+    enum Famille { SOL, SURFACE, PROCHE, DEDANS, DOS, LOIN, RASANT, HORIZON, CHEVEU }
 
     private Cas tirer(Famille famille) {
         double r = puissance(-2, famille == Famille.SOL || famille == Famille.HORIZON ? 8 : 2);
@@ -88,6 +88,18 @@ class PrecisionTest {
             case DEDANS:
                 Point q = c.add(n.mul(r * hasard.nextDouble()));
                 return new Cas(q, q.add(direction(hasard).mul(r)), c, r);
+            case DOS:
+                // de l'intérieur, le dos tourné au centre : b et h y sont voisins
+                Point o = c.add(n.mul(r * (0.5 + 0.45 * hasard.nextDouble())));
+                return new Cas(o, o.add(n.add(direction(hasard).mul(puissance(-6, 0))).normalized().mul(r)), c, r);
+            case CHEVEU:
+                // au ras d'un grand sol : l et r ne diffèrent que de l'arrondi de l, et la puissance du départ décide
+                double grand = puissance(0, 8);
+                double haut = grand * puissance(-16, -6);
+                double sinus = Math.sqrt(2 * haut / grand) * (1 + puissance(-12, -1));
+                Vecteur v = new Vecteur(signe(), 0, signe()).normalized().mul(Math.sqrt(1 - sinus * sinus)).add(new Vecteur(0, -sinus, 0));
+                Point oeil = new Point(0, haut, 0);
+                return new Cas(oeil, oeil.add(3, v), new Point(0, -grand, 0), grand);
             case LOIN:
                 return new Cas(c.add(n.mul(r * puissance(0, 12))), c.add(direction(hasard).mul(r * hasard.nextDouble())), c, r);
             case RASANT:
