@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
@@ -51,7 +50,7 @@ class CommandeTest extends EssaiCommande {
         verifierRefus(2, dossier + " : c'est un dossier ; attendu : un fichier de scène",
                 Essai.executer("--image", png.toString(), dossier.toString()));
         Essai relative = Essai.executer("--image", png.toString(), "nulle-part/x.ini");
-        assertTrue(relative.erreur.startsWith("lancer : nulle-part/x.ini : fichier introuvable dans " + Paths.get("").toAbsolutePath()),
+        assertTrue(relative.erreur.startsWith("lancer : nulle-part/x.ini : fichier introuvable dans " + Path.of("").toAbsolutePath()),
                 relative.toString());
         assertEquals(2, relative.code);
         verifierFichiers();
@@ -59,9 +58,9 @@ class CommandeTest extends EssaiCommande {
 
     @Test
     void uneSceneQuOnNePeutAtteindreEstIntrouvable() throws IOException {
-        Path boucle = lien("boucle", Paths.get("boucle"));
-        Path rompu = lien("rompu", Paths.get("parti.ini"));
-        for (Path scene : new Path[] {boucle, boucle.resolve("s.ini"), rompu, Paths.get(SCENE, "s.ini").toAbsolutePath()}) {
+        Path boucle = lien("boucle", Path.of("boucle"));
+        Path rompu = lien("rompu", Path.of("parti.ini"));
+        for (Path scene : new Path[] {boucle, boucle.resolve("s.ini"), rompu, Path.of(SCENE, "s.ini").toAbsolutePath()}) {
             verifierRefus(2, scene + " : fichier introuvable ; attendu : un fichier de scène",
                     Essai.executer("--image", png.toString(), scene.toString()));
         }
@@ -71,13 +70,13 @@ class CommandeTest extends EssaiCommande {
     void laSortieNePeutEtreLaScene() throws IOException {
         Path sous = Files.createDirectory(dossier.resolve("sous"));
         Path ici = lien("ici", dossier);
-        byte[] avant = Files.readAllBytes(Paths.get(SCENE));
+        byte[] avant = Files.readAllBytes(Path.of(SCENE));
         for (String option : new String[] {"--image", "--lineaire"}) {
             String fin = option.equals("--image") ? ".png" : ".pfm";
             Path scene = Files.write(dossier.resolve("s" + fin), avant);
             String message = "la sortie est la scène elle-même : " + scene + " ; attendu : un autre fichier";
             Path[] ecritures = {scene, dossier.resolve(".").resolve("s" + fin), sous.resolve("..").resolve("s" + fin),
-                lien("lien" + fin, scene), lien("lien-relatif" + fin, Paths.get("s" + fin)), ici.resolve("s" + fin),
+                lien("lien" + fin, scene), lien("lien-relatif" + fin, Path.of("s" + fin)), ici.resolve("s" + fin),
                 Files.createLink(dossier.resolve("dur" + fin), scene)};
             for (Path sortie : ecritures) {
                 verifierRefus(2, message, Essai.executer(option, sortie.toString(), scene.toString()));
@@ -93,7 +92,7 @@ class CommandeTest extends EssaiCommande {
         Path ici = lien("ici", dossier);
         String nom = dossier.getFileName().toString();
         lien("un.pfm", png);
-        lien("deux.pfm", Paths.get("un.pfm"));
+        lien("deux.pfm", Path.of("un.pfm"));
         Path[] ecritures = {dossier.resolve("un.pfm"), dossier.resolve("./un.pfm"), dossier.resolve("../" + nom + "/un.pfm"),
             ici.resolve("un.pfm"), dossier.resolve("deux.pfm")};
         for (Path autre : ecritures) {
@@ -111,14 +110,14 @@ class CommandeTest extends EssaiCommande {
     void unCheminParUnLienPuisPlusHautEstLeVraiChemin() throws IOException {
         Path ailleurs = Files.createDirectories(dossier.resolve("a/b"));
         Path scene = dossier.resolve("s.png");
-        Files.copy(Paths.get(SCENE), scene);
-        Files.copy(Paths.get(SCENE), dossier.resolve("a/s.png"));
+        Files.copy(Path.of(SCENE), scene);
+        Files.copy(Path.of(SCENE), dossier.resolve("a/s.png"));
         // b est a/b : b/.. est a, et non ce dossier
         Path autre = lien("b", ailleurs).resolve("../s.png");
         Essai e = Essai.executer("--taille=4x4", "--image", scene.toString(), autre.toString());
         assertEquals(0, e.code, e.toString());
         assertEquals(4, ImageIO.read(scene.toFile()).getWidth());
-        assertArrayEquals(Files.readAllBytes(Paths.get(SCENE)), Files.readAllBytes(dossier.resolve("a/s.png")));
+        assertArrayEquals(Files.readAllBytes(Path.of(SCENE)), Files.readAllBytes(dossier.resolve("a/s.png")));
     }
 
     @Test

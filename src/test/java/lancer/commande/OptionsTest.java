@@ -9,11 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.lang.reflect.Field;
 import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
@@ -81,14 +79,14 @@ class OptionsTest {
         assertEquals("--x.png", Options.lire("--image=--x.png", "s.ini").get(Option.IMAGE));
         Random hasard = new Random(6);
         for (int essai = 0; essai < 200; essai++) {
-            List<String[]> melange = new ArrayList<>(Arrays.asList(paires));
+            List<String[]> melange = new ArrayList<>(List.of(paires));
             Collections.shuffle(melange, hasard);
             List<String> arguments = new ArrayList<>();
             for (String[] paire : melange) {
                 if (paire.length == 2 && hasard.nextBoolean()) {
                     arguments.add(paire[0] + "=" + paire[1]);
                 } else {
-                    arguments.addAll(Arrays.asList(paire));
+                    arguments.addAll(List.of(paire));
                 }
             }
             Reglages o = Options.lire(arguments.toArray(new String[0]));
@@ -242,7 +240,7 @@ class OptionsTest {
 
     @Test
     void chaqueOptionEstDansLAideEtDansSaPage() throws IOException {
-        String page = new String(Files.readAllBytes(Paths.get("docs/options.md")), StandardCharsets.UTF_8);
+        String page = Files.readString(Path.of("docs/options.md"));
         for (Option<?> option : Option.TABLE) {
             Pattern mot = Pattern.compile("(?<![\\w-])" + option.nom + "(?![\\w-])");
             assertTrue(mot.matcher(Options.getAide()).find(), option.nom + " n'est pas dans l'aide");

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Field;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Constantes;
@@ -48,9 +46,9 @@ class ContratsTest {
 
     @Test
     void lesBouclesDuCoursEssaientUneFoisChaqueAutreObjet() {
-        List<Objet3D> objets = Arrays.asList(boule(5), boule(20), boule(10));
+        List<Objet3D> objets = List.of(boule(5), boule(20), boule(10));
         Lampe lampe = new Lampe(new Point(0, 0, 40), new Couleur(1));
-        Scene scene = new Scene(objets, Collections.singletonList(lampe));
+        Scene scene = new Scene(objets, List.of(lampe));
         Compteurs compteurs = scene.getCompteurs();
         Rayon rayon = new Rayon(new Point(0, 0, 0), new Point(0, 0, 1));
         assertSame(objets.get(2), scene.getClosestIntersection(rayon, objets.get(0)).objet);
@@ -66,7 +64,7 @@ class ContratsTest {
 
     @Test
     void unRayonDOmbreEnDeuxMoitiesEstCompteUneFois() {
-        Scene scene = new Scene(Collections.singletonList(boule(5)), Collections.emptyList());
+        Scene scene = new Scene(List.of(boule(5)), List.of());
         double loin = 2 * Constantes.LOINTAINE * 4;
         Lampe lampe = new Lampe(new Point(0, 0, -loin), new Couleur(1));
         Point contact = new PointContact(new Point(0, 0, 4), scene.getObjets().get(0), 4);
@@ -82,7 +80,7 @@ class ContratsTest {
         Objet3D eclairee = new Sphere(new Point(0, 3, 4), 3);
         Objet3D autre = new Sphere(new Point(0, 0, 5), 1);
         Lampe lampe = new Lampe(new Point(0, 0, 0), new Couleur(1));
-        Scene scene = new Scene(Arrays.asList(eclairee, autre), Collections.singletonList(lampe));
+        Scene scene = new Scene(List.of(eclairee, autre), List.of(lampe));
         Vecteur L = new Vecteur(0, 0, -1);
         assertEquals(4, autre.getIntersectionDistance(new Rayon(new Point(0, 0, 0), new Point(0, 0, 4))));
         assertFalse(scene.estCachee(lampe, new Point(0, 0, 4), L, 4, eclairee));

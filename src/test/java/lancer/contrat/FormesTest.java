@@ -9,9 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
@@ -73,7 +71,7 @@ class FormesTest {
     }
 
     static String lireTexte(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+        return Files.readString(fichier);
     }
 
     /** Compile ces classes dans le dossier, et les inscrit chacune sur une ligne de ce fichier de services. */
@@ -84,7 +82,7 @@ class FormesTest {
             String nom = source.replaceAll("(?s).*?public (?:final )?class (\\w+).*", "$1");
             noms.add(source.replaceAll("(?s).*?package (\\w+);.*", "$1") + "." + nom);
             Path fichier = Files.createDirectories(classes.resolve("sources")).resolve(nom + ".java");
-            Files.write(fichier, source.getBytes(StandardCharsets.UTF_8));
+            Files.writeString(fichier, source);
             assertEquals(0, javac.run(null, null, null, "-encoding", "UTF-8", "-Xlint:all", "-Werror", "-d", classes.toString(),
                     "-cp", Essai.origine(Main.class) + File.pathSeparator + classes, fichier.toString()), source);
         }
@@ -100,14 +98,14 @@ class FormesTest {
 
 
     private float[] dessiner(String taille, String... lignes) throws IOException {
-        return Essai.dessinerAvec(Collections.singletonList(classesDuPanneau), dossier, Essai.scene(scene, lignes), "--taille", taille);
+        return Essai.dessinerAvec(List.of(classesDuPanneau), dossier, Essai.scene(scene, lignes), "--taille", taille);
     }
 
     @Test
     void laClasseLaLigneEtLaSceneDuReadmeSeCopientTellesQuelles() throws IOException {
         inscrire(dossier, SERVICE, blocs.get(0));
         assertTrue(blocs.get(1).contains("\necho " + lireTexte(dossier.resolve(SERVICE)).trim() + " >> "), blocs.get(1));
-        float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, blocs.get(2)), "--taille=4x2");
+        float[] image = Essai.dessinerAvec(List.of(dossier), dossier, Essai.scene(scene, blocs.get(2)), "--taille=4x2");
         // en haut le ciel ; en bas, sans lampe, un cinquième de ce ciel, que le sol reflète
         assertEquals(image[12] * 0.2, image[0], 1e-7);
     }
@@ -116,7 +114,7 @@ class FormesTest {
     void leDamierDeLaPageADeuxCouleursDontLesTermesSAjoutent() throws IOException {
         inscrire(dossier, SERVICE, blocs.get(0).replaceFirst("\n}\n", "\n\n" + bloc("getKd(Point contact)") + "}\n"));
         String sol = "[Plan]\npoint=0 -1 0\nnormale=0 1 0\nKd=0.9 0.9 0.9\n[Lampe 1]\nposition=0 9 3\ncouleur=1 1 1";
-        float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, sol), "--taille", "8x6");
+        float[] image = Essai.dessinerAvec(List.of(dossier), dossier, Essai.scene(scene, sol), "--taille", "8x6");
         // la première rangée d'un PFM est celle du bas : le sol, où deux cases voisines sont de Kd 0.9 et 0.1
         double plusClair = 0;
         double plusSombre = 1;
@@ -125,7 +123,7 @@ class FormesTest {
             plusSombre = Math.min(plusSombre, image[3 * x]);
         }
         assertTrue(plusClair > 0.5 && plusSombre > 0 && plusSombre < 0.1, plusClair + " " + plusSombre);
-        try (Essai.Isole isole = new Essai.Isole(Collections.singletonList(dossier))) {
+        try (Essai.Isole isole = new Essai.Isole(List.of(dossier))) {
             String recit = isole.executer("--taille=8x6", "--pixel=0,5", scene.toString()).toString();
             assertTrue(recit.startsWith("statut 0") && recit.contains("somme ") && !recit.contains("que le récit ne connaît pas"), recit);
         }
@@ -184,7 +182,7 @@ class FormesTest {
     void chaqueQuestionQuOnLuiPoseEstComptee() throws IOException {
         Path fichier = Essai.scene(scene, MUR, BLANC, "[Panneau sol]", "point=0 -1 0", "normale=0 1 0", LAMPE);
         for (String option : new String[] {"--simple", "--fils=2"}) {
-            Essai e = Essai.executerAvec(Collections.singletonList(classesDuPanneau), "--statistiques", option,
+            Essai e = Essai.executerAvec(List.of(classesDuPanneau), "--statistiques", option,
                     "--taille=1x1", "--lineaire", dossier.resolve("image.pfm").toString(), fichier.toString());
             assertEquals(1, e.statistique("rayons.ombre"), e.toString());
             // les deux par le rayon de l'écran, le sol par celui de la lampe
@@ -202,7 +200,7 @@ class FormesTest {
     @Test
     void uneCouleurDonneeParLaFormeVautLaOuLaSectionNEnDitRien() throws IOException {
         Path classes = inscrire(SERVICE, panneau.replace("return panneau;", "panneau.setKd(new Couleur(0.5)); return panneau;"));
-        List<Path> chemin = Collections.singletonList(classes);
+        List<Path> chemin = List.of(classes);
         assertEquals(0.4, Essai.dessinerAvec(chemin, dossier, Essai.scene(scene, MUR, LAMPE), "--taille=1x1")[0], 1e-7);
         assertEquals(0.8, Essai.dessinerAvec(chemin, dossier, Essai.scene(scene, MUR, BLANC, LAMPE), "--taille=1x1")[0], 1e-7);
     }
@@ -222,7 +220,7 @@ class FormesTest {
             "}");
 
     private Essai executer(Path classes, String... lignes) throws IOException {
-        return Essai.executerAvec(Collections.singletonList(classes), "--lineaire", dossier.resolve("image.pfm").toString(), "--taille=1x1",
+        return Essai.executerAvec(List.of(classes), "--lineaire", dossier.resolve("image.pfm").toString(), "--taille=1x1",
                 Essai.scene(scene, lignes).toString());
     }
 
@@ -249,10 +247,10 @@ class FormesTest {
 
     @Test
     void toutMessageEstCeluiDUneSphere() throws IOException {
-        Path fautives = Paths.get(Ressources.chemin("fautives"));
+        Path fautives = Path.of(Ressources.chemin("fautives"));
         Path pfm = dossier.resolve("image.pfm");
         int refusees = 0;
-        try (Essai.Isole programme = new Essai.Isole(Collections.singletonList(inscrire(SERVICE, BALLON)));
+        try (Essai.Isole programme = new Essai.Isole(List.of(inscrire(SERVICE, BALLON)));
                 DirectoryStream<Path> fichiers = Files.newDirectoryStream(fautives, "*.ini")) {
             for (Path fichier : fichiers) {
                 String octets = new String(Files.readAllBytes(fichier), StandardCharsets.ISO_8859_1);
@@ -320,7 +318,7 @@ class FormesTest {
         "pas un nom, lancer.contrat.Forme:1"})
     void uneLigneDeServicesQuiNeConvientPasEstRefusee(String ligne, String dit) throws IOException {
         Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
-        Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList(ligne));
+        Files.write(services.resolve("lancer.contrat.Forme"), List.of(ligne));
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
         assertTrue(e.erreur.matches("lancer : META-INF/services, ligne qui ne convient pas : lancer\\.contrat\\.Forme: .*" + dit
                 + ".* ; attendu : une classe publique de ce contrat, à constructeur public sans argument, .*\\R"), e.toString());
@@ -330,7 +328,7 @@ class FormesTest {
     @Test
     void uneClasseDeServicesQuiNExistePasEstNommeeAvecLeRemede() throws IOException {
         Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
-        Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("lancer.Pnaneau"));
+        Files.write(services.resolve("lancer.contrat.Forme"), List.of("lancer.Pnaneau"));
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
         assertTrue(e.erreur.matches("lancer : META-INF/services, ligne .* lancer\\.Pnaneau .* ; attendu : .* make propre\\R"),
                 e.toString());

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Scene;
@@ -17,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Chaque étape du cours est l'image que donne un programme arrêté là. */
 class EtapesDuCoursTest {
 
-    private static final Path SCENE = Paths.get("scenes/scene1.ini");
+    private static final Path SCENE = Path.of("scenes/scene1.ini");
     private static final String TAILLE = "--taille=80x60";
 
     @TempDir

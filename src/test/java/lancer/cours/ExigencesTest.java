@@ -7,8 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
-import java.util.Collections;
+import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -112,7 +111,7 @@ class ExigencesTest {
 
         private final Sphere pres = new Sphere(new Point(0, 0, 5), 1);
         private final Sphere loin = new Sphere(new Point(0, 0, 9), 1);
-        private final Scene scene = new Scene(Arrays.asList(loin, pres), Collections.<Lampe>emptyList());
+        private final Scene scene = new Scene(List.of(loin, pres), List.of());
         private final Rayon devant = new Rayon(new Point(), new Vecteur(0, 0, 1));
 
         @Test

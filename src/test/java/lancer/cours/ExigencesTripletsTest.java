@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -41,7 +40,7 @@ class ExigencesTripletsTest {
 
     /** Ce qui est fait de trois nombres ; une couleur n'est pas un {@link Tuple}, et se compare de même. */
     private static List<Function<double[], Object>> fabriques() {
-        return Arrays.asList(t -> new Tuple(t[0], t[1], t[2]), t -> new Vecteur(t[0], t[1], t[2]),
+        return List.of(t -> new Tuple(t[0], t[1], t[2]), t -> new Vecteur(t[0], t[1], t[2]),
                 t -> new Point(t[0], t[1], t[2]), t -> new Couleur(t[0], t[1], t[2]));
     }
 

@@ -2,7 +2,6 @@ package lancer.cours;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Tag;
@@ -26,7 +25,7 @@ class ImagesDeReferenceTest {
         "p3-miroirs, p3-miroirs.reflets-12, 12",
         "p4-foule, p4-foule, 5"})
     void laBaseDonneLImageDeReference(String scene, String image, String reflets) throws IOException {
-        Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
+        Essai.dessiner(dossier, Path.of(Ressources.chemin("reference/" + scene + ".ini")),
                 "--taille", "120x90", "--seuil", "0", "--reflets", reflets);
         Essai.verifierReference(image + ".pfm", dossier);
     }

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
@@ -83,7 +82,7 @@ class VecteursTest {
                 fautes.add(un + " : " + t + " au lieu de " + un.c[13]);
             }
         }
-        assertEquals(Collections.emptyList(), fautes);
+        assertEquals(List.of(), fautes);
     }
 
     @Test

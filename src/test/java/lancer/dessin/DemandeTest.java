@@ -11,7 +11,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -122,7 +121,7 @@ class DemandeTest {
     @ParameterizedTest(name = "simple : {0}")
     @ValueSource(booleans = {false, true})
     void unDessinPrepareALaMainEstCeluiDeLaLigneDeCommande(boolean simple, @TempDir Path dossier) throws IOException {
-        float[] programme = Essai.dessiner(dossier, Paths.get(SCENE), "--taille=64x48", simple ? "--simple" : "--fils=2");
+        float[] programme = Essai.dessiner(dossier, Path.of(SCENE), "--taille=64x48", simple ? "--simple" : "--fils=2");
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE);
         Dessin.lancer(scene, 64, 48, simple).TracerImage(image, Constantes.MAX_REFLETS, 2);

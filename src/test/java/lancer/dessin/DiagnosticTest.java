@@ -7,8 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.Collections;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -62,7 +61,7 @@ class DiagnosticTest {
     }
 
     private static Scene scene(Objet3D objet) {
-        return new Scene(Collections.singletonList(objet), Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+        return new Scene(List.of(objet), List.of(new Lampe(new Point(0, 0, -5), new Couleur(1))));
     }
 
     /** Ce que dit l'échec d'un dessin, sans le nom de cette classe-ci ni le numéro de la ligne. */
@@ -119,7 +118,7 @@ class DiagnosticTest {
 
     @Test
     void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande(@TempDir Path dossier) throws IOException {
-        Path scene = Files.copy(Paths.get("scenes/scene1.ini"), dossier.resolve("ma scène.ini"));
+        Path scene = Files.copy(Path.of("scenes/scene1.ini"), dossier.resolve("ma scène.ini"));
         try (Essai.Isole programme = Modification.de(dossier, "Lancer", "Rayon initial =",
                 "if (xe > 20) { throw new IllegalStateException(\"pas encore écrit\"); } Rayon initial =")) {
             Essai essai = programme.executer("--taille=40x30", "--reflets=2", "--fils=1", "--image", dossier.resolve("i.png").toString(),

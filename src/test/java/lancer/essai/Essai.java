@@ -15,11 +15,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import lancer.Main;
 import lancer.scene.LecteurSections;
@@ -72,7 +69,7 @@ public final class Essai {
         private final Method executer;
 
         public Isole(List<Path> ajoutees) throws IOException {
-            this(Collections.<Path>emptyList(), ajoutees);
+            this(List.of(), ajoutees);
         }
 
         /** @param devant dossiers dont les classes passent avant celles du programme */
@@ -167,7 +164,7 @@ public final class Essai {
     /** Le dossier ou l'archive d'où vient cette classe. */
     public static Path origine(Class<?> classe) {
         try {
-            return Paths.get(classe.getProtectionDomain().getCodeSource().getLocation().toURI());
+            return Path.of(classe.getProtectionDomain().getCodeSource().getLocation().toURI());
         } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }
@@ -191,7 +188,7 @@ public final class Essai {
 
     /** Écrit ces lignes dans un fichier de scène. */
     public static Path scene(Path fichier, String... lignes) throws IOException {
-        return Files.write(fichier, Arrays.asList(lignes), StandardCharsets.UTF_8);
+        return Files.write(fichier, List.of(lignes), StandardCharsets.UTF_8);
     }
 
     /** Le texte d'un fichier du dépôt, dont git a pu changer les fins de ligne. */
@@ -237,8 +234,8 @@ public final class Essai {
     }
 
     private static String[] arguments(Path dossier, Path scene, String... options) {
-        List<String> args = new ArrayList<>(Arrays.asList(options));
-        args.addAll(Arrays.asList("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString()));
+        List<String> args = new ArrayList<>(List.of(options));
+        args.addAll(List.of("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString()));
         return args.toArray(new String[0]);
     }
 
@@ -257,7 +254,7 @@ public final class Essai {
         Path image = dossier.resolve("image.pfm");
         double ecart = ecart(pfm(Files.readAllBytes(image)), pfm(octets(Essai.class, "/reference/" + reference)));
         if (ecart > 1e-6 && Boolean.getBoolean("references.refaites")) {
-            Files.copy(image, Paths.get("src/test/resources/reference", reference), StandardCopyOption.REPLACE_EXISTING);
+            Files.copy(image, Path.of("src/test/resources/reference", reference), StandardCopyOption.REPLACE_EXISTING);
             System.out.println("changée : " + reference);
         } else if (!(ecart <= 1e-6)) {
             throw new AssertionError(reference + " : écart " + ecart);

@@ -3,8 +3,6 @@ package lancer.essai;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.contrat.Modele;
@@ -21,9 +19,9 @@ public final class EssaiParametres {
 
     /** Ce sont ces clés, et sa section les accepte, du premier cran à leur valeur par défaut, ou chacun de leurs mots. */
     public static void verifier(Variante variante, String... cles) {
-        assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(p -> p.cle).collect(Collectors.toList()));
+        assertEquals(List.of(cles), variante.getParametres().stream().map(p -> p.cle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            List<String> valeurs = p.estUnTexte() ? Collections.singletonList(p.defaut) : p.valeurs;
+            List<String> valeurs = p.estUnTexte() ? List.of(p.defaut) : p.valeurs;
             int dernier = p.defaut == null || !p.estUnNombre() ? valeurs.size() - 1 : p.getRang(p.defaut);
             assertTrue(p.defaut == null || valeurs.contains(p.defaut), "une valeur est celle par défaut");
             for (String valeur : valeurs.subList(0, dernier + 1)) {

@@ -2,7 +2,7 @@ package lancer.essai;
 
 import java.io.InputStream;
 import java.net.URISyntaxException;
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -28,7 +28,7 @@ public final class Ressources {
     /** Le chemin d'un fichier de {@code src/test/resources}. */
     public static String chemin(String nom) {
         try {
-            return Paths.get(Ressources.class.getResource("/" + nom).toURI()).toString();
+            return Path.of(Ressources.class.getResource("/" + nom).toURI()).toString();
         } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }

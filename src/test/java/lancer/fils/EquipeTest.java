@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -23,7 +23,7 @@ class EquipeTest {
         CountDownLatch fin = new CountDownLatch(1);
         try {
             Equipe equipe = new Equipe();
-            assertThrows(IllegalStateException.class, () -> equipe.faire(Arrays.asList(() -> attendreSourd(fin), () -> {
+            assertThrows(IllegalStateException.class, () -> equipe.faire(List.of(() -> attendreSourd(fin), () -> {
                 throw new IllegalStateException("la cause");
             })));
             assertThrows(CancellationException.class, () -> equipe.faire(() -> { }));

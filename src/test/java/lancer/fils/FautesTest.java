@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
@@ -76,7 +75,7 @@ class FautesTest {
                 }
                 throw (RuntimeException) arret;
             });
-            Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele.construire()),
+            Lancer lancer = new Lancer(new Scene(List.of(), List.of()).avec(modele.construire()),
                     new Camera(4, 3));
             lancer.getAtelier().getFautes().tolerer();
             assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerImage((couleur, i, j) -> { }, 0, 2)));

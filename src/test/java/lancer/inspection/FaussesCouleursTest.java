@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
@@ -84,7 +83,7 @@ class FaussesCouleursTest {
 
     @Test
     void uneSeuleDistanceEstBlanche() {
-        Scene boule = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 5e-3)), Collections.<Lampe>emptyList());
+        Scene boule = new Scene(List.of(new Sphere(new Point(0, 0, 6), 5e-3)), List.of());
         ImageMemoire image = new ImageMemoire(1, 1, true);
         new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), image, 5, 1).dessiner("distance");
         assertEquals(0xFFFFFFFF, image.codes[0]);
@@ -116,14 +115,14 @@ class FaussesCouleursTest {
         verifier(k -> {
             PointContact contact = contact(k);
             double eclairent = 0;
-            for (Lampe lampe : contact == null ? Collections.<Lampe>emptyList() : lampes) {
+            for (Lampe lampe : contact == null ? List.<Lampe>of() : lampes) {
                 Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
                 eclairent += contact.objet.getNormale(contact).dot(versLampe) > 0 && !scene.estCachee(lampe, contact,
                         versLampe.normalized(), versLampe.norme(), contact.objet) ? 1 : 0;
             }
             return new Couleur(eclairent / lampes.size());
         }, vue("lampes"));
-        Scene sansLampe = new Scene(scene.getObjets(), Collections.<Lampe>emptyList());
+        Scene sansLampe = new Scene(scene.getObjets(), List.of());
         assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(sansLampe, "lampes")).distinct().toArray());
     }
 
@@ -169,7 +168,7 @@ class FaussesCouleursTest {
             Vecteur N = boule.getNormale(contact);
             rayon = new Rayon(contact, rayon.getV().sub(N.mul(2 * rayon.getV().dot(N))));
             ImageMemoire image = new ImageMemoire(1, 1, true);
-            new FaussesCouleurs(new Lancer(new Scene(chaine, Collections.emptyList()), new Camera(1, 1)), image, n, 1).dessiner("marge");
+            new FaussesCouleurs(new Lancer(new Scene(chaine, List.of()), new Camera(1, 1)), image, n, 1).dessiner("marge");
             double attendue = 16 - Math.log10(255 * Math.pow(2 * d / r, n));
             assertEquals(Math.max(0, Math.min(11, attendue)), image.lineaire[0], 1.5, n + " boules");
         }
@@ -177,7 +176,7 @@ class FaussesCouleursTest {
 
     @Test
     void uneMargeEntiereEstNoire() {
-        Scene lisse = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 1000), 900)), scene.getLampes());
+        Scene lisse = new Scene(List.of(new Sphere(new Point(0, 0, 1000), 900)), scene.getLampes());
         ImageMemoire image = dessiner(lisse, "marge");
         assertEquals("marge : 11 décimales (11 : rien ne change)", image.dire(L * H / 2 + L / 2));
         assertEquals(0xFF000000, image.codes[L * H / 2 + L / 2]);
@@ -185,7 +184,7 @@ class FaussesCouleursTest {
 
     @Test
     void uneSceneVideEstNoireDeToutesLesFacons() {
-        Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.singletonList(new Lampe(new Point(0, 5, 0), new Couleur(1))));
+        Scene vide = new Scene(List.of(), List.of(new Lampe(new Point(0, 5, 0), new Couleur(1))));
         for (String nom : new String[] {"normales", "distance", "lampes", "rayons"}) {
             assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(vide, nom)).distinct().toArray(), nom);
         }

@@ -8,8 +8,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
@@ -223,7 +221,7 @@ class InspectionTest {
             + "| [Lampe] ligne 5  N·(lampe − contact) = -91.0  dans le dos : pas de rayon d'ombre"})
     void ceQuiManqueAUnPixelNoirSeDit(String ini, String titre, String premiere) throws Exception {
         Path fichier = Essai.scene(dossier.resolve("s.ini"), ini.replace(" ", "\n").replace(',', ' ').split("\n"));
-        List<String> lignes = Arrays.asList(Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie.split("\\R"));
+        List<String> lignes = List.of(Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie.split("\\R"));
         assertTrue((lignes.get(1) + "  ").startsWith(titre), lignes.toString());
         assertEquals("  " + premiere, lignes.get(2));
     }
@@ -247,7 +245,7 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
+        Inspection pixel = new Inspection(new Scene(List.of(), List.of()), chose -> null,
                 camera, 5, 4, 4);
         pixel.faire(() -> false);
         List<String> lignes = recitDe(pixel).raconter().lignes();
@@ -260,8 +258,8 @@ class InspectionTest {
     void uneSceneSansFichierNommeSesObjetsParLeurRang() {
         Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
         sphere.setKd(new Couleur(1));
-        Scene scene = new Scene(Collections.singletonList(sphere),
-                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+        Scene scene = new Scene(List.of(sphere),
+                List.of(new Lampe(new Point(0, 0, -5), new Couleur(1))));
         List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
         assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
@@ -269,8 +267,8 @@ class InspectionTest {
 
     /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
     private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
-        Scene scene = new Scene(Collections.singletonList(sphere),
-                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(new Modele().avec(echantillonnage, Constantes.SEUIL));
+        Scene scene = new Scene(List.of(sphere),
+                List.of(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(new Modele().avec(echantillonnage, Constantes.SEUIL));
         return recitDe(auMilieu(scene)).raconter().lignes();
     }
 
@@ -297,10 +295,10 @@ class InspectionTest {
         List<String> lignes = recitDUneForme(sphere, neuf(9));
         assertEquals("9 échantillons", lignes.get(1));
         assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
-        assertEquals(Arrays.asList("chaîne de l'échantillon 4.5 4.5", "1  objet 1  0.25 0.5 0.75 = autre",
+        assertEquals(List.of("chaîne de l'échantillon 4.5 4.5", "1  objet 1  0.25 0.5 0.75 = autre",
                 "  lampe 1  N·L = 1.0  sans effet sur cette matière : pas de rayon d'ombre",
                 "  autre = 0.25 0.5 0.75 (que le récit ne connaît pas)"), lignes.subList(12, 16));
-        assertEquals(Arrays.asList("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(lignes.size() - 2, lignes.size()));
+        assertEquals(List.of("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(lignes.size() - 2, lignes.size()));
         lignes = recitDUneForme(sphere, neuf(18));
         assertEquals("leur moyenne = 0.25 0.5 0.75 ; l'échantillonnage les pèse autrement pour le pixel", lignes.get(11));
     }
@@ -318,7 +316,7 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrite");
             }
         }, Lancer::TracerPave);
-        assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
+        assertEquals(List.of("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
                 lignes.subList(1, 3));
         assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("),
                 lignes.toString());
@@ -335,12 +333,12 @@ class InspectionTest {
                 throw new IllegalStateException("boum");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Arrays.asList(miroir, derriere), Collections.emptyList()), chose -> null,
+        Inspection pixel = new Inspection(new Scene(List.of(miroir, derriere), List.of()), chose -> null,
                 new Camera(9, 9), 5, 4, 4);
         pixel.faire(() -> false);
         assertEquals("boum", pixel.getFaute().getCause().getMessage());
         List<String> lignes = recitDe(pixel).raconter().lignes();
-        assertEquals(Arrays.asList("2  objet 2", "1  objet 1"),
+        assertEquals(List.of("2  objet 2", "1  objet 1"),
                 lignes.stream().filter(ligne -> ligne.matches("\\d+  .*")).collect(Collectors.toList()));
         assertTrue(lignes.get(lignes.size() - 1).startsWith("échec : java.lang.IllegalStateException: boum ("), lignes.toString());
     }
@@ -354,8 +352,8 @@ class InspectionTest {
                 return 10;
             }
         };
-        List<String> lignes = recitDe(auMilieu(new Scene(Arrays.asList(new Sphere(new Point(0, 0, 8), 2), muette),
-                Collections.emptyList()))).raconter().lignes();
+        List<String> lignes = recitDe(auMilieu(new Scene(List.of(new Sphere(new Point(0, 0, 8), 2), muette),
+                List.of()))).raconter().lignes();
         assertTrue(lignes.contains("    rival objet 2  d = 10.0"), lignes.toString());
     }
 }

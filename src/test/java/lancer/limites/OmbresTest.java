@@ -10,8 +10,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Camera;
@@ -62,9 +60,9 @@ class OmbresTest {
     }
 
     private void comparer(String nom, Lampe lampe, Sphere... autour) {
-        List<Sphere> spheres = new ArrayList<>(Arrays.asList(boule, petite, sol));
-        spheres.addAll(Arrays.asList(autour));
-        Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
+        List<Sphere> spheres = new ArrayList<>(List.of(boule, petite, sol));
+        spheres.addAll(List.of(autour));
+        Scene boucles = new Scene(spheres, List.of(lampe));
         Scene scene = Structuree.scene(boucles, new Camera(80, 60));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
@@ -117,7 +115,7 @@ class OmbresTest {
         Sphere dehors = new Sphere(centre, rayon);
         Sphere dedans = new Sphere(centre, rayon - ecart);
         Lampe seule = new Lampe(lampe, new Couleur(1));
-        Scene scene = new Scene(Arrays.asList(dedans, dehors), Collections.singletonList(seule));
+        Scene scene = new Scene(List.of(dedans, dehors), List.of(seule));
         Scene rapide = Structuree.scene(scene, new Camera(80, 60));
         int faux = 0;
         for (int k = 0; k < 2 * CONTACTS; k++) {
@@ -185,7 +183,7 @@ class OmbresTest {
     void deDeuxSpheresQuiSInterpenetrentCelleQuiEntoureLeDepartCompte() {
         Sphere a = boule(-0.5, 0, 6, 1, 1, 0, 1);
         Sphere b = boule(0.5, 0, 6, 1, 1, 0, 1);
-        Scene scene = scene(Arrays.asList(a, b));
+        Scene scene = scene(List.of(a, b));
         // sur a, et au centre de b
         Point depart = new Point(0.5, 0, 6);
         for (Vecteur v : new Vecteur[] {new Vecteur(1, 0, 0), new Vecteur(0, 0, -1), new Vecteur(0, 0.6, 0.8)}) {
@@ -205,7 +203,7 @@ class OmbresTest {
     @Test
     void lePiedDUneBoulePoseeSurLeSolEstExactementNoir() {
         for (double R : new double[] {100, 1e4, 1e6}) {
-            List<Sphere> boules = Arrays.asList(boule(0, -R, 10, R, 1, 0, 1), boule(0, 1, 10, 1, 1, 0.5, 9));
+            List<Sphere> boules = List.of(boule(0, -R, 10, R, 1, 0, 1), boule(0, 1, 10, 1, 1, 0.5, 9));
             Scene scene = scene(boules, new Lampe(new Point(0, 50, 10), new Couleur(1)));
             Point oeil = new Point(0, 3, 0);
             // la lampe est à 49 du centre : le cône d'ombre a 50·tan(asin(1/49)) = 1,0206 au sol, si celui-ci est plat
@@ -239,7 +237,7 @@ class OmbresTest {
             double r = 0.5 + hasard.nextDouble();
             double jeu = ecart * 0x1p-53 * (r + new Vecteur(new Point(), C).norme());
             Sphere dehors = boule(C.x, C.y, C.z, r, 1, 0, 1);
-            Scene scene = scene(Arrays.asList(boule(C.x, C.y, C.z, r - jeu, 1, 0, 1), dehors), lampe);
+            Scene scene = scene(List.of(boule(C.x, C.y, C.z, r - jeu, 1, 0, 1), dehors), lampe);
             for (int k = 0; k < 60 * 60; k++) {
                 PointContact vu = scene.getClosestIntersection(camera.getRayon(k % 60 + 0.5, k / 60 + 0.5));
                 confondues += vu != null && (vu.objet != dehors || dehors.getNormale(vu).dot(new Vecteur(vu, lampe.getPosition())) > 0

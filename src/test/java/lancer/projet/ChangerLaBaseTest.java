@@ -9,8 +9,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -33,7 +33,7 @@ class ChangerLaBaseTest {
     @ParameterizedTest(name = "{0}")
     @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2"})
     void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
-        try (Essai.Isole changee = changee(partie); Essai.Isole base = new Essai.Isole(Collections.emptyList())) {
+        try (Essai.Isole changee = changee(partie); Essai.Isole base = new Essai.Isole(List.of())) {
             assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
         }
     }

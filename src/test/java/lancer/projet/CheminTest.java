@@ -4,10 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -53,7 +51,7 @@ class CheminTest {
     private static List<String> duMainAuPixel(String... arguments) throws InterruptedException {
         Thread principal = new Thread(() -> Main.main(arguments));
         principal.start();
-        List<String> chemin = Collections.emptyList();
+        List<String> chemin = List.of();
         while (principal.isAlive() && chemin.isEmpty()) {
             Map<Thread, StackTraceElement[]> piles = Thread.getAllStackTraces();
             Thread dessine = piles.keySet().stream().filter(fil -> estAuPixel(piles.get(fil))).findFirst().orElse(null);
@@ -73,7 +71,7 @@ class CheminTest {
         assertEquals(RAYON, chemin.get(chemin.size() - 1), chemin.toString());
         assertTrue(chemin.size() <= AU_PLUS, chemin.size() + " appels : " + chemin);
 
-        String page = new String(Files.readAllBytes(Paths.get("docs/etendre.md")), StandardCharsets.UTF_8);
+        String page = Files.readString(Path.of("docs/etendre.md"));
         Matcher nomme = Pattern.compile("`(\\w+\\.\\w+)`").matcher(page.substring(0, page.indexOf("`Lancer.getCouleurPixel`") + 24));
         List<String> nommes = new ArrayList<>();
         while (nomme.find()) {

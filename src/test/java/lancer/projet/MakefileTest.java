@@ -7,14 +7,11 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import lancer.essai.EssaiProcessus;
@@ -33,10 +30,10 @@ class MakefileTest extends EssaiProcessus {
 
     /** Make, par ce fichier du projet ou cette copie, sans rien de ce que lui dit celui qui lance ce test. */
     private ProcessBuilder make(String fichier, String... arguments) {
-        List<String> commande = new ArrayList<>(Arrays.asList("make", "-s", "-I", new File("").getAbsolutePath(), "-f", fichier));
-        commande.addAll(Arrays.asList(arguments));
+        List<String> commande = new ArrayList<>(List.of("make", "-s", "-I", new File("").getAbsolutePath(), "-f", fichier));
+        commande.addAll(List.of(arguments));
         ProcessBuilder make = preparer(commande);
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "JAVA", "JAVA_OPTIONS", "LC_ALL",
+        make.environment().keySet().removeAll(List.of("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "JAVA", "JAVA_OPTIONS", "LC_ALL",
                 "LC_CTYPE", "LANG"));
         if (!new File(fichier).isAbsolute()) {
             make.directory(new File("").getAbsoluteFile());
@@ -48,7 +45,7 @@ class MakefileTest extends EssaiProcessus {
     private String copie() throws IOException {
         Path copie = dossier.resolve(COMMUN);
         if (!Files.exists(copie)) {
-            Files.copy(Paths.get(COMMUN), copie);
+            Files.copy(Path.of(COMMUN), copie);
         }
         return copie.toString();
     }
@@ -100,12 +97,12 @@ class MakefileTest extends EssaiProcessus {
     void lApplicationDonneUneLangueAuLanceurQuiEnManque() throws Exception {
         supposerUnix();
         Path bin = Files.createDirectories(dossier.resolve("mon dossier"));
-        Files.copy(Paths.get("outils/lancer.sh"), bin.resolve("lancer"));
+        Files.copy(Path.of("outils/lancer.sh"), bin.resolve("lancer"));
         Files.write(bin.resolve("lanceur"), "#!/bin/sh\necho \"$LC_ALL : $2\"\n".getBytes());
         assertTrue(bin.resolve("lanceur").toFile().setExecutable(true));
         Files.createSymbolicLink(dossier.resolve("lien"), bin.resolve("lancer"));
         for (String langue : new String[] {"C", "xx_YY.UTF-8"}) {
-            ProcessBuilder lancer = preparer(Arrays.asList("sh", "lien", "--image", "a b.png"));
+            ProcessBuilder lancer = preparer(List.of("sh", "lien", "--image", "a b.png"));
             lancer.environment().put("LC_ALL", langue);
             assertEquals(0, statut(lancer), erreur());
             assertEquals("C.UTF-8 : a b.png\n", sortie());
@@ -116,7 +113,7 @@ class MakefileTest extends EssaiProcessus {
     @Test
     void tousLesModulesSImportentEnsemble() throws Exception {
         for (String pom : new String[] {"ensemble.xml", "pom.xml"}) {
-            String texte = new String(Files.readAllBytes(Paths.get(pom)), StandardCharsets.UTF_8);
+            String texte = Files.readString(Path.of(pom));
             for (String module : new String[] {"brume", "blinn", "antialias", "mesures", "correction"}) {
                 assertTrue(texte.contains("<module>" + module + "</module>"), pom + ", " + module);
             }
@@ -126,10 +123,10 @@ class MakefileTest extends EssaiProcessus {
     @Test
     void unCloneDeWindowsALesMemesFinsDeLigne() throws Exception {
         assumeTrue(new File(".git").exists(), "pas un clone");
-        List<String> git = Arrays.asList("git", "-c", "core.autocrlf=true", "-c", "safe.directory=*");
+        List<String> git = List.of("git", "-c", "core.autocrlf=true", "-c", "safe.directory=*");
         String clone = dossier.resolve("clone").toString();
-        for (List<String> suite : Arrays.asList(Arrays.asList("clone", "-q", new File("").getAbsolutePath(), clone),
-                Arrays.asList("-C", clone, "ls-files", "--eol"))) {
+        for (List<String> suite : List.of(List.of("clone", "-q", new File("").getAbsolutePath(), clone),
+                List.of("-C", clone, "ls-files", "--eol"))) {
             List<String> commande = new ArrayList<>(git);
             commande.addAll(suite);
             assertEquals(0, statut(preparer(commande)), erreur());
@@ -172,12 +169,12 @@ class MakefileTest extends EssaiProcessus {
         Path pom = Files.write(dossier.resolve("pom.xml"), new byte[1]);
         Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
         Path copie = Files.write(sources.resolve("Sphere - Copie.java"), new byte[1]);
-        Files.createSymbolicLink(sources.resolve(".#Sphere.java"), Paths.get("emacs@ici:1"));
+        Files.createSymbolicLink(sources.resolve(".#Sphere.java"), Path.of("emacs@ici:1"));
         Path jar = dossier.resolve("target/lancer.jar");
         Files.createDirectories(jar.getParent());
         Files.write(dossier.resolve("maven"), ("touch " + jar).getBytes());
         assertTrue(jarRefait(), "pas de jar");
-        for (Path fichier : Arrays.asList(pom, copie, sources, sources.getParent())) {
+        for (Path fichier : List.of(pom, copie, sources, sources.getParent())) {
             dater(fichier, 0);
         }
         assertFalse(jarRefait(), "rien n'a changé");

@@ -13,7 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
@@ -119,7 +118,7 @@ class DessinTest {
 
     @Test
     void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
-        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        Scene ciel = new Scene(List.of(), List.of());
         for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
             Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
             int[] peints = new int[1];

@@ -4,7 +4,7 @@ import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Constantes;
@@ -107,8 +107,8 @@ class ProprietesTest {
             // une boule minuscule dans l'axe même du rayon, où le contact se confond avec le centre
             boules[0] = new Sphere(new Point(0, 0, 1 + hasard.nextInt(5)), 1e-100);
             boules[0].setKs(new Couleur(1));
-            Scene scene = new Scene(Arrays.asList(boules),
-                    Arrays.asList(new Lampe(point(Math.pow(10, 200 * hasard.nextDouble() - 100)), new Couleur(1e6)),
+            Scene scene = new Scene(List.of(boules),
+                    List.of(new Lampe(point(Math.pow(10, 200 * hasard.nextDouble() - 100)), new Couleur(1e6)),
                             new Lampe(boules[1].getCentre(), new Couleur(1e6))));
             Ressources.Image image = new Ressources.Image(9, 9);
             new Lancer(scene, new Camera(9, 9)).TracerImage(image, 20, 1);

@@ -9,7 +9,6 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -147,7 +146,7 @@ class ComptesTest {
     @Test
     void chaqueSceneCouteLesExamensQueDitLeFichier(@TempDir Path dossier) throws Exception {
         boolean refaire = Boolean.getBoolean("comptes.refaits");
-        List<String> attendues = Arrays.asList(Essai.ressource(ComptesTest.class, "comptes.txt").split("\\R"));
+        List<String> attendues = List.of(Essai.ressource(ComptesTest.class, "comptes.txt").split("\\R"));
         List<String> lignes = new ArrayList<>();
         List<String> fautes = new ArrayList<>();
         for (Map.Entry<String, Cas> e : cas().entrySet()) {

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
@@ -168,7 +167,7 @@ class CurseurTest {
         List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
         objets.add(new Sphere(new Point(0, 0, -10), 1));
         Lampe lampe = new Lampe(new Point(0, 0, -8), new Couleur(1));
-        Scene boucles = new Scene(objets, Collections.singletonList(lampe));
+        Scene boucles = new Scene(objets, List.of(lampe));
         Scene rapide = Structuree.scene(boucles, CAMERA);
         for (double z : new double[] {20, 0, -2, -5, -8, -8.5}) {
             for (Objet3D depart : new Objet3D[] {null, objets.get(0)}) {

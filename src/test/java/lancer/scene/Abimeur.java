@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -56,8 +55,8 @@ final class Abimeur {
 
     /** Les scènes livrées et celles des tests de lecture. */
     static Abimeur deToutesLesScenes() throws IOException {
-        return new Abimeur(Paths.get("scenes"), Paths.get(Ressources.chemin("valides")), Paths.get(Ressources.chemin("fautives")),
-                Paths.get(Ressources.chemin("reference")));
+        return new Abimeur(Path.of("scenes"), Path.of(Ressources.chemin("valides")), Path.of(Ressources.chemin("fautives")),
+                Path.of(Ressources.chemin("reference")));
     }
 
     /** Le fichier de cette graine, et d'elle seule. */

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import lancer.Objet3D;
@@ -26,7 +25,7 @@ class EchecsLectureTest extends EssaiProcessus {
 
     @Test
     void uneLectureQuiEchoueSeDitEnUneLigne() {
-        Path memoire = Paths.get("/proc/self/mem");
+        Path memoire = Path.of("/proc/self/mem");
         assumeTrue(Files.exists(memoire), "il faut un fichier qu'on ouvre et qui ne se lit pas");
         Essai e = Essai.executer("--image=" + dossier.resolve("a.png"), memoire.toString());
         assertEquals(2, e.code, e.toString());
@@ -93,7 +92,7 @@ class EchecsLectureTest extends EssaiProcessus {
 
     @Test
     void unFichierSansFinEstRefuseAvecPeuDeMemoire() throws Exception {
-        assumeTrue(Files.exists(Paths.get("/dev/zero")), "pas de /dev/zero ici");
+        assumeTrue(Files.exists(Path.of("/dev/zero")), "pas de /dev/zero ici");
         assertEquals(2, statut(preparer(java("-Xmx48m", "--image=a.png", "/dev/zero"))), erreur());
         assertEquals("lancer : /dev/zero, ligne 1 : lecture impossible (ligne de plus de 8 Mo) ; attendu : un fichier de scène\n",
                 erreur());

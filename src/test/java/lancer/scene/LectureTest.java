@@ -15,9 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import lancer.Camera;
@@ -57,7 +55,7 @@ class LectureTest {
 
     private static Stream<Path> scenes(String dossier) throws IOException {
         List<Path> scenes = new ArrayList<>();
-        try (DirectoryStream<Path> fichiers = Files.newDirectoryStream(Paths.get(Ressources.chemin(dossier)), "*.ini")) {
+        try (DirectoryStream<Path> fichiers = Files.newDirectoryStream(Path.of(Ressources.chemin(dossier)), "*.ini")) {
             for (Path fichier : fichiers) {
                 scenes.add(fichier);
             }
@@ -71,7 +69,7 @@ class LectureTest {
         if (!Files.exists(message)) {
             return "";
         }
-        return Essai.message(new String(Files.readAllBytes(message), StandardCharsets.UTF_8), scene);
+        return Essai.message(Files.readString(message), scene);
     }
 
     @ParameterizedTest(name = "{0}")
@@ -101,8 +99,8 @@ class LectureTest {
 
     @Test
     void toutMessageAttenduASaScene() throws IOException {
-        for (String nom : Arrays.asList("fautives", "valides")) {
-            try (DirectoryStream<Path> messages = Files.newDirectoryStream(Paths.get(Ressources.chemin(nom)), "*.message")) {
+        for (String nom : List.of("fautives", "valides")) {
+            try (DirectoryStream<Path> messages = Files.newDirectoryStream(Path.of(Ressources.chemin(nom)), "*.message")) {
                 for (Path message : messages) {
                     Path scene = message.resolveSibling(message.getFileName().toString().replace(".message", ".ini"));
                     assertTrue(Files.exists(scene), message + " n'a pas de scène");
@@ -147,7 +145,7 @@ class LectureTest {
     @Test
     void laLectureDitDOuVientChaqueObjetEtChaqueLampe() throws IOException {
         Path fichier = dossier.resolve("s.ini");
-        Files.write(fichier, Arrays.asList("; un commentaire", "[SPHERE  \t a]", "centre=0 0 6", "rayon=1", "", "[Lampe]",
+        Files.write(fichier, List.of("; un commentaire", "[SPHERE  \t a]", "centre=0 0 6", "rayon=1", "", "[Lampe]",
                 "position=1 2 3", "couleur=1 1 1", "[Sphere é b]", "centre=0 0 6", "rayon=1"));
         SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
         assertEquals("[SPHERE a] ligne 2", lue.getOrigine(lue.objets.get(0)));
@@ -159,7 +157,7 @@ class LectureTest {
 
     @Test
     void lesClesDUneMatiereSontCellesDuCours() {
-        assertEquals(Arrays.asList("Kd", "Ks", "Kr", "ns"), LecteurSections.CLES_MATIERE);
+        assertEquals(List.of("Kd", "Ks", "Kr", "ns"), LecteurSections.CLES_MATIERE);
     }
 
     @Test
@@ -191,7 +189,7 @@ class LectureTest {
     @Test
     void laPremiereDesJumellesResteSeule() throws IOException {
         Path fichier = dossier.resolve("jumelles.ini");
-        Files.write(fichier, Arrays.asList(
+        Files.write(fichier, List.of(
                 "[Sphere a]", "centre=0 -0.0 6", "rayon=1", "Kd=1 0 0",
                 "[Sphere b]", "centre=-0 0 6", "rayon=1.000", "Kd=0 1 0",
                 "[Sphere c]", "centre=0 0 6", "rayon=1.0000000000000002"));
@@ -204,7 +202,7 @@ class LectureTest {
     @Test
     void laSceneSeLitAussiParSonConstructeur() throws IOException {
         Path fichier = dossier.resolve("fautive.ini");
-        Files.write(fichier, Arrays.asList("[Sphere 1]", "centre=0 0 6", "rayon=0"));
+        Files.write(fichier, List.of("[Sphere 1]", "centre=0 0 6", "rayon=0"));
         SceneFautive e = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString()));
         assertEquals(fichier + ", ligne 3, [Sphere 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100",
                 e.getMessage());
@@ -220,7 +218,7 @@ class LectureTest {
             nom.append("longue ");
         }
         Path fichier = dossier.resolve(nom + ".ini");
-        Files.write(fichier, Arrays.asList("[Cube]"));
+        Files.write(fichier, List.of("[Cube]"));
         String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
         assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);

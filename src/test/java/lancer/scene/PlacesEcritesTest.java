@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
@@ -92,7 +91,7 @@ class PlacesEcritesTest {
     }
 
     static Stream<Path> scenes() throws IOException {
-        return Stream.concat(Files.list(Paths.get("scenes")), Files.list(Paths.get(Ressources.chemin("valides"))))
+        return Stream.concat(Files.list(Path.of("scenes")), Files.list(Path.of(Ressources.chemin("valides"))))
                 .filter(chemin -> chemin.toString().endsWith(".ini")).sorted();
     }
 

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -35,7 +34,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** La variante par la ligne de commande, seule ou avec les deux autres. */
 class AntialiasTest {
 
-    private static final List<Path> SEULE = Collections.singletonList(Essai.origine(Antialias.class));
+    private static final List<Path> SEULE = List.of(Essai.origine(Antialias.class));
 
     @TempDir
     Path dossier;
@@ -62,7 +61,8 @@ class AntialiasTest {
     void lesTroisVariantesSeCombinent() throws IOException {
         Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=2", "seuil=0", "[Blinn]", "facteur=1", "[Brume]", "couleur=0.8 0.8 0.8",
                 "debut=3", "fin=40");
-        List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
+        List<Path> toutes = new ArrayList<>(List.of(Essai.origine(Antialias.class), Essai.origine(Brume.class),
+                Essai.origine(Blinn.class)));
         Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
         Essai.verifierReference("p2-sol.tout.pfm", dossier);
         Collections.reverse(toutes);
@@ -84,9 +84,9 @@ class AntialiasTest {
         "n=4|methode=partage|seuil=0.06, 1, 0.05, 2", "n=8|methode=partage, 1, 0.3, 2"})
     void chaqueTermeDesTroisVariantesEstCeluiDesEquationsEtChaqueSommeSeFerme(String echantillons, double facteur, double densite,
             int reflets) throws IOException {
-        List<String> lignes = new ArrayList<>(Arrays.asList(ini("p2-sol.ini"), "[Antialias]"));
-        lignes.addAll(Arrays.asList(echantillons.split("[|]")));
-        lignes.addAll(Arrays.asList("[Blinn]", "facteur=" + facteur, "[Brume]", "couleur=0.8 0.7 0.6", "debut=1.5", "densite=" + densite));
+        List<String> lignes = new ArrayList<>(List.of(ini("p2-sol.ini"), "[Antialias]"));
+        lignes.addAll(List.of(echantillons.split("[|]")));
+        lignes.addAll(List.of("[Blinn]", "facteur=" + facteur, "[Brume]", "couleur=0.8 0.7 0.6", "debut=1.5", "densite=" + densite));
         Path scene = scene(lignes.toArray(new String[0]));
         SceneLue lue = LecteurScene.lire(scene.toString(), part -> { });
         Scene lues = new Scene(lue.objets, lue.lampes).avec(lue.getModele());
@@ -121,7 +121,7 @@ class AntialiasTest {
         String image = dossier.resolve("image.pfm").toString();
         float[] unFil = null;
         String comptes = null;
-        for (String fils : Arrays.asList("1", "2", "3", "7", "64")) {
+        for (String fils : List.of("1", "2", "3", "7", "64")) {
             Essai essai = Essai.executer("--lineaire", image, "--taille", "120x90", "--statistiques", "--fils", fils, scene);
             assertEquals("", essai.erreur);
             float[] obtenue = Essai.pfm(Files.readAllBytes(dossier.resolve("image.pfm")));

@@ -2,7 +2,6 @@ package lancer.antialias;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Camera;
@@ -70,7 +69,7 @@ class CoinsTest {
     }
 
     private static Compteurs compteurs(List<Sphere> spheres, int n, double seuil) {
-        Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
+        Scene scene = new Scene(spheres, List.of());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(n, seuil), Constantes.SEUIL)), new Camera(40, 30));
         lancer.TracerImage((couleur, i, j) -> { }, 5, 2);
         return lancer.getAtelier().getCompteurs();
@@ -80,14 +79,14 @@ class CoinsTest {
     @CsvSource({"1, 0, 1, 0", "1, 0.05, 1, 0", "2, 0, 4, 0", "2, 0.05, 4, 0", "3, 0.05, 4, 0", "3, 0, 9, 1", "8, 0.05, 4, 0",
             "8, 0, 64, 1"})
     void unPixelHomogeneCouteExactementQuatreRayons(int n, double seuil, int rayons, int raffines) {
-        Compteurs compteurs = compteurs(Collections.<Sphere>emptyList(), n, seuil);
+        Compteurs compteurs = compteurs(List.of(), n, seuil);
         assertEquals(rayons * 40 * 30, compteurs.primaires);
         assertEquals(raffines * 40 * 30, compteurs.pixelsRaffines);
     }
 
     @Test
     void leBrouillonNePrendPasUnRayonDePlus() {
-        Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
+        Scene scene = new Scene(List.of(), List.of());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(8, 0), Constantes.SEUIL)), new Camera(41, 31));
         lancer.TracerBrouillon((couleur, i, j) -> { }, 5, 2);
         assertEquals(11 * 8, lancer.getAtelier().getCompteurs().primaires);

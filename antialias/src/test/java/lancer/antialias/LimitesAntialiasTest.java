@@ -3,7 +3,7 @@ package lancer.antialias;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Collections;
+import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Couleur;
@@ -82,7 +82,7 @@ class LimitesAntialiasTest {
             Sphere boule = new Sphere(new Point(0.4 * hasard.nextDouble(), 0.4 * hasard.nextDouble(), 6), 1);
             boule.setKs(new Couleur(1));
             boule.setNs(200);
-            Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(-3, 4, -5),
+            Scene scene = new Scene(List.of(boule), List.of(new Lampe(new Point(-3, 4, -5),
                     new Couleur(1))));
             carres += Math.pow(tache(scene, methode) / tache(scene, new Coins(16, 0)) - 1, 2) / tirages;
         }
@@ -92,7 +92,7 @@ class LimitesAntialiasTest {
     /** Ce que la lampe ajoute à l'image, sans aucun reflet du ciel. */
     private static double tache(Scene scene, Echantillonnage methode) {
         double[] somme = new double[1];
-        for (Scene s : new Scene[] {scene, new Scene(scene.getObjets(), Collections.emptyList())}) {
+        for (Scene s : new Scene[] {scene, new Scene(scene.getObjets(), List.of())}) {
             somme[0] = -somme[0];
             new Lancer(s.avec(s.getModele().avec(methode, 0)), new Camera(12, 12))
                     .TracerImage((couleur, i, j) -> somme[0] += couleur.v, 0, 1);

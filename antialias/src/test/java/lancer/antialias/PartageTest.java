@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
@@ -147,7 +146,7 @@ class PartageTest {
             boules[k].setKs(new Couleur(0.4));
             boules[k].setNs(50);
         }
-        Scene scene = new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
+        Scene scene = new Scene(Arrays.asList(boules), List.of(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
         double[] image = new double[60 * 45];
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
         lancer.TracerImage((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
@@ -174,7 +173,7 @@ class PartageTest {
                     camera.getY(camera.getHauteur() * hasard.nextDouble()) * loin, 8),
                     rayon * 2 / camera.getLargeur() * loin));
         }
-        return new Scene(boules, Collections.emptyList());
+        return new Scene(boules, List.of());
     }
 
     private static final int L = 64;

@@ -8,15 +8,12 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -50,8 +47,8 @@ class QuatriemeVarianteTest {
             assumeTrue(Arrays.stream(System.getenv("PATH").split(File.pathSeparator)).anyMatch(d -> new File(d, outil).canExecute()),
                     "pas de " + outil + " ici");
         }
-        copier(Paths.get("..").toRealPath());
-        String page = lireTexte(Paths.get("../docs/etendre.md"));
+        copier(Path.of("..").toRealPath());
+        String page = lireTexte(Path.of("../docs/etendre.md"));
         String partie = page.substring(page.indexOf("## Une quatrième variante\n"), page.indexOf("## Une forme à soi\n"));
         String prose = "";
         StringBuilder bloc = new StringBuilder();
@@ -73,12 +70,12 @@ class QuatriemeVarianteTest {
         Matcher fichier = FICHIER.matcher(prose);
         Matcher insertion = INSERTION.matcher(prose);
         if (fichier.matches()) {
-            Files.write(copie.resolve(fichier.group(1)), bloc.getBytes(StandardCharsets.UTF_8));
+            Files.writeString(copie.resolve(fichier.group(1)), bloc);
         } else if (insertion.matches()) {
             Path ou = copie.resolve(insertion.group(1));
             String avant = lireTexte(ou);
             int ligne = avant.indexOf('\n', avant.indexOf(insertion.group(2))) + 1;
-            Files.write(ou, (avant.substring(0, ligne) + bloc + avant.substring(ligne)).getBytes(StandardCharsets.UTF_8));
+            Files.writeString(ou, (avant.substring(0, ligne) + bloc + avant.substring(ligne)));
         } else {
             Path sortie = copie.resolve("sortie.txt");
             ProcessBuilder sh = new ProcessBuilder("sh", "-e", "-c", bloc).directory(copie.toFile())
@@ -95,7 +92,7 @@ class QuatriemeVarianteTest {
     }
 
     private static String lireTexte(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+        return Files.readString(fichier);
     }
 
     /** Tout, sauf ce qu'aucune commande de la page ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
@@ -120,7 +117,7 @@ class QuatriemeVarianteTest {
     }
 
     private static List<Path> nuit() {
-        return Collections.singletonList(copie.resolve("nuit/target/nuit.jar"));
+        return List.of(copie.resolve("nuit/target/nuit.jar"));
     }
 
     private String boule(String... suite) throws IOException {
@@ -185,7 +182,7 @@ class QuatriemeVarianteTest {
     @Test
     void sansElleSaSectionEstRefusee() throws Exception {
         String scene = boule("[Nuit]", "portee=2.5");
-        Essai essai = Essai.executerAvec(Collections.<Path>emptyList(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene);
+        Essai essai = Essai.executerAvec(List.of(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene);
         assertEquals("lancer : " + scene + ", ligne 8, [Nuit] : type de section inconnu ; attendu : Sphere, Lampe, Camera, Brume, "
                 + "Antialias, Blinn" + System.lineSeparator(), essai.sansAutresFormes("aucune"));
         assertEquals(2, essai.code);

@@ -3,7 +3,7 @@ package lancer.mesures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -54,7 +54,7 @@ class GabaritTest {
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
-        Scene miroirs = Scenes.lire(LecteurScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
+        Scene miroirs = Scenes.lire(LecteurScene.trouver(Path.of("scenes", "miroirs.ini").toString()));
         Gabarit gabarit = new Gabarit(miroirs, L, H, 2, Gabarit.COTE, (i, j) -> true);
         double cinq = erreur(gabarit, image(miroirs, L, H, 5));
         double cent = erreur(gabarit, image(miroirs, L, H, 100));

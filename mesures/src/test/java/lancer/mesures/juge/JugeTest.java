@@ -11,8 +11,6 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
@@ -62,7 +60,7 @@ class JugeTest {
     }
 
     private Path ecrire(String nom, String Ks) throws IOException {
-        return Files.write(dossier.resolve(nom), Arrays.asList("[Sphere 1]", "centre=-0.5 0 6", "rayon=0.8", "Kd=0.7 0.2 0.1",
+        return Files.write(dossier.resolve(nom), List.of("[Sphere 1]", "centre=-0.5 0 6", "rayon=0.8", "Kd=0.7 0.2 0.1",
                 "Ks=" + Ks, "ns=40", "[Sphere 2]", "centre=0.75 0.25 5", "rayon=0.5", "Kd=0.4 0.4 0.5", "Ks=0.3 0.3 0.3", "ns=4.5",
                 "[Lampe]", "position=-4 6 -3", "couleur=0.8 0.8 0.75"), StandardCharsets.UTF_8);
     }
@@ -80,11 +78,11 @@ class JugeTest {
         assertEquals(0, comparer(grise, Constantes.SEUIL, 0, "--reflets", "3", "--taille", TAILLE, grise.toString()));
         assertEquals("", texte(erreurs));
         assertTrue(texte(sortie).contains("d'accord"), texte(sortie));
-        assertEquals(Arrays.asList("grise"), dessins());
+        assertEquals(List.of("grise"), dessins());
         List<String> lignes = Files.readAllLines(csv);
         assertEquals(2, lignes.size());
         assertEquals(lignes.get(0).split(",").length, lignes.get(1).split(",").length);
-        assertEquals(lignes.get(0), Files.readAllLines(Paths.get("resultats/juge.csv")).get(0), "make juge");
+        assertEquals(lignes.get(0), Files.readAllLines(Path.of("resultats/juge.csv")).get(0), "make juge");
         assertTrue(lignes.get(1).startsWith("grise,40,30,2,3,1,0,0,0.00"), lignes.get(1));
         assertTrue(lignes.get(1).contains(",oui,"), lignes.get(1));
     }
@@ -93,7 +91,7 @@ class JugeTest {
     void unKsColoreAPeineSeJugeUneComposanteALaFoisEtSansSeuil() throws IOException {
         ecrire("coloree.ini", "0.5 0.5 0.49");
         assertEquals(0, comparer(coloree, 0, 0, "--reflets", "3", "--taille", TAILLE, coloree.toString()));
-        assertEquals(Arrays.asList("coloree-rouge", "coloree-verte", "coloree-bleue"), dessins());
+        assertEquals(List.of("coloree-rouge", "coloree-verte", "coloree-bleue"), dessins());
     }
 
     @Test
@@ -113,7 +111,7 @@ class JugeTest {
 
     @Test
     void uneSceneQueLeJugeNePeutFaireEstSauteeEtDite() throws IOException {
-        Path dedans = Files.write(dossier.resolve("dedans.ini"), Arrays.asList("[Sphere]", "centre=0 0 0", "rayon=1"));
+        Path dedans = Files.write(dossier.resolve("dedans.ini"), List.of("[Sphere]", "centre=0 0 0", "rayon=1"));
         assertEquals(0, comparer(grise, Constantes.SEUIL, 0, "--reflets", "3", "--taille", TAILLE, dedans.toString()));
         assertTrue(texte(sortie).contains("non jugée : Sphere("), texte(sortie));
     }
@@ -138,6 +136,6 @@ class JugeTest {
             assertEquals(0, juger(PovRay.COMMANDE, "--taille", TAILLE, scene.toString()), texte(sortie) + texte(erreurs));
         }
         assertEquals(2, texte(sortie).split("  d'accord", -1).length - 1, texte(sortie));
-        assertTrue(Files.exists(Paths.get("target/juge/grise.pov")) && Files.exists(Paths.get("target/juge/coloree-verte.png")));
+        assertTrue(Files.exists(Path.of("target/juge/grise.pov")) && Files.exists(Path.of("target/juge/coloree-verte.png")));
     }
 }

@@ -13,8 +13,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
 import lancer.Camera;
@@ -39,9 +37,9 @@ final class ScenesJugees {
 
     /** Une commande qui note dans « demandes » ce qu'on lui demande, et rend « image.png » après les échecs que dit « echecs ». */
     static String commande(Path dossier) throws IOException {
-        assumeTrue(Files.isExecutable(Paths.get("/bin/sh")));
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")));
         Path commande = dossier.resolve("povray");
-        Files.write(commande, Arrays.asList("#!/bin/sh", "d='" + dossier + "'",
+        Files.write(commande, List.of("#!/bin/sh", "d='" + dossier + "'",
                 "[ \"$1\" = --version ] && { echo 'POV-Ray 3.9.1.unofficial'; exit; }",
                 "echo \"$@\" >> \"$d/demandes\"",
                 "[ $(wc -l < \"$d/demandes\") -gt $(cat \"$d/echecs\") ] || { echo; echo 'Fatal error: en retard'; exit 3; }",
@@ -68,9 +66,9 @@ final class ScenesJugees {
     }
 
     static Scene scene(Objet3D... objets) {
-        List<Lampe> lampes = Arrays.asList(new Lampe(new Point(-4, 6, -3), new Couleur(0.8, 0.8, 0.75)),
+        List<Lampe> lampes = List.of(new Lampe(new Point(-4, 6, -3), new Couleur(0.8, 0.8, 0.75)),
                 new Lampe(new Point(5, 3, -2), new Couleur(0.25, 0.25, 0.5)));
-        return new Scene(Arrays.asList(objets), lampes);
+        return new Scene(List.of(objets), lampes);
     }
 
     /** Deux boules qui se reflètent. */

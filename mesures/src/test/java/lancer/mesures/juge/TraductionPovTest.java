@@ -5,8 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
-import java.util.Collections;
+import java.util.List;
 import lancer.Camera;
 import lancer.CameraPlacee;
 import lancer.Couleur;
@@ -63,7 +62,7 @@ class TraductionPovTest {
 
     @Test
     void lOeilEtLEcranSontCeuxDeLaCameraDeLaScene() {
-        Scene scene = new Scene(Arrays.asList(ScenesJugees.boule(5, 0, 0, 1, new Couleur(0.5), new Couleur())), Collections.emptyList());
+        Scene scene = new Scene(List.of(ScenesJugees.boule(5, 0, 0, 1, new Couleur(0.5), new Couleur())), List.of());
         String texte = new TraductionPov(scene, 5, new CameraPlacee(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, new Point(1, 2, 3),
                 new Vecteur(8, 0, 0), 90)).texte(0);
         assertTrue(texte.contains("location <1024.0, 2048.0, 3072.0> direction <1.0, 0.0, 0.0> right <0.0, 0.0, -2.0>"

@@ -4,10 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,7 +34,7 @@ class BlocsTest {
     Path dossier;
 
     private static Path racine() {
-        return Paths.get(Files.exists(Paths.get("ensemble.xml")) ? "" : "..").toAbsolutePath();
+        return Path.of(Files.exists(Path.of("ensemble.xml")) ? "" : "..").toAbsolutePath();
     }
 
     /** Les blocs qui commencent par une section, et où ils sont. */
@@ -49,7 +47,7 @@ class BlocsTest {
         }
         Map<String, String> blocs = new LinkedHashMap<>();
         for (Path page : pages) {
-            Matcher m = BLOC.matcher(new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
+            Matcher m = BLOC.matcher(Files.readString(page));
             while (m.find()) {
                 String bloc = m.group().replaceAll("(?m)^ {4}|`", "").trim();
                 if (SECTION.matcher(bloc).matches()) {
@@ -66,8 +64,8 @@ class BlocsTest {
         assertTrue(blocs.size() > 4 && blocs.keySet().stream()
                 .anyMatch(b -> b.contains("[Sphere rouge]") && b.contains("[Lampe 1]")), blocs.toString());
         for (Map.Entry<String, String> bloc : blocs.entrySet()) {
-            Path scene = Files.write(dossier.resolve("scene.ini"), (SCENE + bloc.getKey()).getBytes(StandardCharsets.UTF_8));
-            Lancement programme = new Lancement(dossier.resolve("pris"), Paths.get(System.getProperty("java.home"), "bin", "java"),
+            Path scene = Files.writeString(dossier.resolve("scene.ini"), (SCENE + bloc.getKey()));
+            Lancement programme = new Lancement(dossier.resolve("pris"), Path.of(System.getProperty("java.home"), "bin", "java"),
                     "-cp", System.getProperty("java.class.path"), "lancer.Main", "--taille", "4x3", "--image",
                     dossier.resolve("image.png"), scene);
             assertEquals("0 ", programme.statut + " " + programme.dit, bloc.getValue() + " :\n" + bloc.getKey());

@@ -1,10 +1,8 @@
 package lancer.mesures.pages;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.Formatter;
 import java.util.LinkedHashMap;
@@ -47,9 +45,9 @@ public final class Reponses {
 
     /** @param args la page, et le dossier des figures */
     public static void main(String[] args) throws IOException {
-        PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
-        Path figures = Paths.get(args[1]);
-        Files.write(figures.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
+        PagesMesurees.reecrire(Path.of(args[0]), valeurs());
+        Path figures = Path.of(args[1]);
+        Files.writeString(figures.resolve("reponses-cosinus.svg"), cosinus());
         new Ecriture<>(figures.resolve("reponses-etapes.png").toString(), new FichierPng()).ecrire(etapes());
         new Ecriture<>(figures.resolve("reponses-escaliers.png").toString(), new FichierPng()).ecrire(escaliers());
     }

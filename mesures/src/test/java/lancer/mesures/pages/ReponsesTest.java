@@ -4,9 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 import lancer.image.LectureImage;
@@ -16,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class ReponsesTest {
 
     private static String lire(String fichier) throws IOException {
-        return new String(Files.readAllBytes(Paths.get("..", fichier)), StandardCharsets.UTF_8);
+        return Files.readString(Path.of("..", fichier));
     }
 
     @Test

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -43,7 +42,7 @@ class FouleTest {
     @ValueSource(ints = {1, 2, 10, 500, 1331})
     void lesBoulesDevantLOeilNeSeTouchentPas(int n) throws IOException {
         Path fichier = dossier.resolve("scene.ini");
-        Files.write(fichier, engendrer(n).getBytes(StandardCharsets.UTF_8));
+        Files.writeString(fichier, engendrer(n));
         SceneLue lu = LecteurScene.lire(fichier.toString(), part -> { });
         assertEquals(2, lu.lampes.size());
         assertTrue(lu.avertissements.isEmpty());

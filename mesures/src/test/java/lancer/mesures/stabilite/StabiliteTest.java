@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -20,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Les courbes de stabilité. */
 class StabiliteTest {
 
-    private static final Path RESULTATS = Paths.get(Files.exists(Paths.get("mesures")) ? "mesures/resultats" : "resultats");
+    private static final Path RESULTATS = Path.of(Files.exists(Path.of("mesures")) ? "mesures/resultats" : "resultats");
 
     @TempDir
     Path dossier;

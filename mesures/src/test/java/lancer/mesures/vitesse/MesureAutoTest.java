@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.mesures.scenes.SceneAuHasard;
@@ -47,7 +46,7 @@ class MesureAutoTest {
     void ceQuiEstTenuEtSonPrixSontComptes() {
         assertEquals("| scènes communes | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | × 1,5 | × 1,5 "
                 + "|",
-                bilan(Arrays.asList("a,10x10,2,r,1,1.2,0.3,tenue,10,5,10,c,d", "b,10x10,2,r,2.5,2,0.4,tenue,10,10,,c,d",
+                bilan(List.of("a,10x10,2,r,1,1.2,0.3,tenue,10,5,10,c,d", "b,10x10,2,r,2.5,2,0.4,tenue,10,10,,c,d",
                         "c,10x10,2,r,4,5,1,dépassée,10,5,10,c,d", "d,10x10,2,r,4,0,,rien vu,10,5,10,c,d")));
     }
 }

@@ -5,13 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -31,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Les mesures publiées sont de ce programme, et les pages disent ce qu'elles disent. */
 class ResultatsTest {
 
-    private static final Path RESULTATS = Paths.get("../mesures/resultats");
+    private static final Path RESULTATS = Path.of("../mesures/resultats");
     @TempDir
     Path dossier;
 
@@ -43,10 +39,10 @@ class ResultatsTest {
     @Test
     void lesComptesPubliesSontEncoreCeuxDuProgramme() throws IOException {
         Mesureur mesureur = new Mesureur(dossier, null, System.out, Taille.PUBLIEE, true, VitesseTest::programme);
-        for (String scene : Arrays.asList(Catalogue.COURS, "poussiere")) {
+        for (String scene : List.of(Catalogue.COURS, "poussiere")) {
             Lancer prepare = Dessin.lancer(Scenes.lire(Scenes.fichier(scene, dossier)), Taille.PUBLIEE.largeur, Taille.PUBLIEE.hauteur,
                     false);
-            for (Reglage reglage : Arrays.asList(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Catalogue.UN_NIVEAU)) {
+            for (Reglage reglage : List.of(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Catalogue.UN_NIVEAU)) {
                 Mesure neuve = new Mesure(Catalogue.CHOIX, scene, reglage.methode, reglage.parametres, 0);
                 mesureur.compter(reglage, prepare, neuve);
                 Mesure publiee = publies().volet(Catalogue.CHOIX).scene(scene).de(reglage).get();
@@ -59,7 +55,7 @@ class ResultatsTest {
     @Test
     void chaqueSceneLivreeEstDansChaqueTable() throws IOException {
         Map<String, List<String>> tables = new TreeMap<>();
-        for (String csv : Arrays.asList("juge.csv", "auto.csv")) {
+        for (String csv : List.of("juge.csv", "auto.csv")) {
             tables.put(csv, FichierCsv.lire(RESULTATS.resolve(csv)).stream().map(c -> c[0]).collect(Collectors.toList()));
         }
         tables.put(Catalogue.CHOIX, publies().volet(Catalogue.CHOIX).scenes());
@@ -67,7 +63,7 @@ class ResultatsTest {
         tables.forEach((table, scenes) -> {
             List<String> manquent = new ArrayList<>(livrees());
             manquent.removeAll(scenes);
-            assertEquals(Collections.emptyList(), manquent, "scènes qui manquent à " + table);
+            assertEquals(List.of(), manquent, "scènes qui manquent à " + table);
         });
     }
 
@@ -90,7 +86,7 @@ class ResultatsTest {
     void lesNombresDesPagesSontCeuxDesMesures() throws IOException {
         Map<String, String> valeurs = new Rapport(RESULTATS).valeurs();
         for (Path relative : Rapport.PAGES) {
-            String texte = new String(Files.readAllBytes(Paths.get("..").resolve(relative)), StandardCharsets.UTF_8);
+            String texte = Files.readString(Path.of("..").resolve(relative));
             assertTrue(texte.contains("<!--v:"), relative + " montre des mesures");
             assertEquals(PagesMesurees.remplacer(texte, valeurs), texte, relative + " : make mesures, ou MESURES=--dessiner, le réécrit");
         }
@@ -108,7 +104,7 @@ class ResultatsTest {
 
     @Test
     void ceQuiEstAEcrireSousLaPremiereTableEstDesReglagesDuCatalogue() throws IOException {
-        String page = new String(Files.readAllBytes(Paths.get("../docs/vitesse-et-precision.md")), StandardCharsets.UTF_8)
+        String page = Files.readString(Path.of("../docs/vitesse-et-precision.md"))
                 .replace('\u00a0', ' ');
         int essayees = 0;
         for (Mesure m : publies().volet(Catalogue.CHOIX).scene(Catalogue.COURS).toutes) {

@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -100,7 +99,7 @@ class VitesseTest {
         assertEquals(tous.essais.size(), resultats.toutes.size());
         for (Mesure m : resultats.toutes) {
             assertTrue(m.rapport() > 0 && m.mur > 0, m.ligne());
-            assertTrue(m.memoire > 0 == Files.isExecutable(Paths.get("/usr/bin/time")), "GNU time dit la mémoire");
+            assertTrue(m.memoire > 0 == Files.isExecutable(Path.of("/usr/bin/time")), "GNU time dit la mémoire");
         }
     }
 
