@@ -218,12 +218,10 @@ public final class Correction {
         List<String> avis = new ArrayList<>();
         Ressemblances.dire(eleves, avis);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
-        avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         ajustements.ecrireARemplir(dossier, eleves);
-        int dits = avis.size();
         List<Eleve> manques = new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream()
                 .mapToInt(r -> r.entrees.size())), avis);
-        avis.stream().skip(dits).forEach(a -> suivi.println("correction : " + Texte.protege(a)));
+        avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

@@ -209,7 +209,7 @@ public final class Projet {
         }
         List<String> jointes = rendu.bibliotheques.stream().filter(b -> !FOURNIE.matcher(b).matches()).collect(Collectors.toList());
         if (!jointes.isEmpty()) {
-            dire("jugé sans la bibliothèque qu'il joint : " + String.join(", ", jointes));
+            dire("jugé sans la bibliothèque qu'il joint : " + quelques(jointes));
         }
     }
 

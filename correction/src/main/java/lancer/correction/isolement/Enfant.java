@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -16,6 +17,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.DoubleAdder;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
@@ -204,20 +206,14 @@ public final class Enfant implements AutoCloseable {
 
     /** Dit si un de ses fils attend un cœur, ou le disque, d'après le système : sur une machine chargée, ce n'est pas dormir. */
     private boolean attendUnCoeur() {
-        for (ProcessHandle un : tous) {
-            String[] fils = taches(un).list();
-            for (String fil : fils == null ? new String[0] : fils) {
-                try {
-                    String etat = Files.readString(taches(un).toPath().resolve(fil).resolve("stat")).replaceFirst("(?s).*\\) ", "");
-                    if (etat.startsWith("R") || etat.startsWith("D")) {
-                        return true;
-                    }
-                } catch (IOException e) {
-                    // ce fil vient de finir
-                }
+        return tous.stream().flatMap(un -> Stream.of(Objects.requireNonNullElse(taches(un).listFiles(), new File[0]))).anyMatch(fil -> {
+            try {
+                return Files.readString(fil.toPath().resolve("stat")).matches("(?s).*\\) [RD] .*");
+            } catch (IOException e) {
+                // il vient de finir
+                return false;
             }
-        }
-        return false;
+        });
     }
 
     private static File taches(ProcessHandle un) {
