@@ -46,6 +46,7 @@ scene-geante: mesures/target/mesures.jar
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
+# MESURES=--verifier échoue si quelques comptes ne sont plus ceux d'aujourd'hui.
 mesures: mesures/target/mesures.jar $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURES)
 

@@ -36,8 +36,8 @@ public final class FaussesCouleurs {
     /** Nombre de rayons déplacés au hasard, pour chaque déplacement. */
     private static final int TIRAGES = 3;
 
-    /** Rangs, dans l'échelle, des teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
-    private static final int[] MARGES = {0, 2, 4, 5, 6};
+    /** Rang, dans l'échelle, de la teinte de chaque marge, de 0 à 11 décimales. */
+    private static final int[] MARGES = {6, 6, 6, 5, 5, 4, 4, 4, 2, 2, 2, 0};
 
     /** Les nombres d'un pixel où rien n'est vu : ni une normale, ni une distance, ni un compte. Sa teinte est noire. */
     private static final Couleur CIEL = new Couleur(-1);
@@ -114,10 +114,10 @@ public final class FaussesCouleurs {
         legender("marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)",
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
-                + "orange : 2 à 4, blanc : l'arrondi suffit");
+                + "orange : 3 et 4, blanc : l'arrondi suffit");
         tracer((pave, voulus, vue, toile) ->
                 Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile),
-                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y));
+                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[(int) m.r]]), m, x, y));
     }
 
     /** @param format celui du texte des nombres d'un pixel @param legende une ligne */

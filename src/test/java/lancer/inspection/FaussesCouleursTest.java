@@ -105,7 +105,7 @@ class FaussesCouleursTest {
         assertEquals("vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir", dessiner(scene, "normales").echelle);
         assertEquals("vue lampes : lampes qui éclairent, noir : aucune, blanc : 2 sur 2 ; ciel noir", dessiner(scene, "lampes").echelle);
         assertTrue(dessiner(scene, "rayons").echelle.matches("vue rayons : noir : 1 rayon, rose : \\d+, blanc : \\d+"));
-        assertTrue(dessiner(scene, "marge").echelle.endsWith("noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, orange : 2 à 4, "
+        assertTrue(dessiner(scene, "marge").echelle.endsWith("noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, orange : 3 et 4, "
                 + "blanc : l'arrondi suffit"));
     }
 

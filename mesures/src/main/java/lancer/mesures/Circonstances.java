@@ -6,6 +6,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
+import java.util.stream.Stream;
 
 /** Circonstances d'une mesure, sans lesquelles un temps ne peut être comparé. */
 public final class Circonstances {
@@ -27,6 +28,12 @@ public final class Circonstances {
             return "inconnu";
         }
         return change.isEmpty() ? commit : commit + "+";
+    }
+
+    /** Le nombre de commits qui ont changé ces dossiers depuis celui-ci ; vide s'il n'est pas connu. */
+    public static String changements(String depuis, String... dossiers) {
+        return premiereLigne(Stream.concat(Stream.of("git", "rev-list", "--count", depuis + "..HEAD", "--"), Stream.of(dossiers))
+                .toArray(String[]::new));
     }
 
     /** La première ligne qu'écrit cette commande ; vide si elle n'écrit rien ou ne peut être lancée. */

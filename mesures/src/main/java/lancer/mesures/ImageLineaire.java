@@ -63,7 +63,7 @@ public final class ImageLineaire implements Toile {
         for (int k = 0; k < composantes.length / 3; k++) {
             double ecart = IntStream.range(3 * k, 3 * k + 3).mapToDouble(c -> Math.abs(Math.min(1, composantes[c])
                     - Math.min(1, autre.composantes[c]))).max().getAsDouble();
-            image.setRGB(k % largeur, k / largeur, 0x010101 * (int) Math.min(255, Math.round(255 * grossi * ecart)));
+            image.setRGB(k % largeur, k / largeur, 0x010101 * (int) Math.min(255, Math.ceil(255 * grossi * ecart)));
         }
         return image;
     }

@@ -159,15 +159,24 @@ public final class Volet {
         return this;
     }
 
-    /** Ajoute une droite horizontale, et son nom. */
+    /** Ajoute une droite horizontale, et son nom, au-dessus. */
     public Volet repere(double y, String nom) {
+        return repere(y, nom, RectangleAnchor.TOP_RIGHT, TextAnchor.BOTTOM_RIGHT);
+    }
+
+    /** De même, le nom au-dessous. */
+    public Volet repereNommeDessous(double y, String nom) {
+        return repere(y, nom, RectangleAnchor.BOTTOM_RIGHT, TextAnchor.TOP_RIGHT);
+    }
+
+    private Volet repere(double y, String nom, RectangleAnchor place, TextAnchor coin) {
         ValueMarker repere = new ValueMarker(y, GRIS, new BasicStroke(2));
         repere.setLabel(nom);
         repere.setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 20));
         repere.setLabelPaint(GRIS);
         repere.setLabelBackgroundColor(Color.WHITE);
-        repere.setLabelAnchor(RectangleAnchor.TOP_RIGHT);
-        repere.setLabelTextAnchor(TextAnchor.BOTTOM_RIGHT);
+        repere.setLabelAnchor(place);
+        repere.setLabelTextAnchor(coin);
         plot.addRangeMarker(repere, Layer.BACKGROUND);
         return this;
     }
@@ -211,7 +220,7 @@ public final class Volet {
             ((NumberAxis) axe).setNumberFormatOverride(Nombres.format(2));
         } else if (rapport < LONG) {
             ((LogAxis) axe).setBase(2);
-            ((LogAxis) axe).setNumberFormatOverride(Nombres.format(2));
+            ((LogAxis) axe).setNumberFormatOverride(Nombres.format(5));
             ((LogAxis) axe).setTickUnit(new NumberTickUnit(1));
         } else {
             ((LogAxis) axe).setTickUnit(new NumberTickUnit(Math.ceil(Math.log10(rapport) / GRADUATIONS), new DecimalFormat("0")));

@@ -51,6 +51,9 @@ final class Mesureur {
     private static final double CHARGE = 0.5;
     private static final double ETENDUE = 0.15;
 
+    /** Ce que dit la machine d'un temps écoulé qu'elle a mesuré en faisant autre chose. */
+    static final String OCCUPEE = " ; machine occupée";
+
     private final Path dossier;
     private final PrintStream sortie;
     private final PovRay povray;
@@ -153,8 +156,7 @@ final class Mesureur {
     // ---- ce qui se chronomètre
 
     /**
-     * Note le moindre temps de chaque réglage, et celui de l'unité. Un temps écoulé ne dit rien si la machine fait autre chose : ceux d'un
-     * groupe qui en demande gardent alors leur valeur d'avant.
+     * Note le moindre temps de chaque réglage, et celui de l'unité. Un temps écoulé ne dit rien si la machine fait autre chose : elle le dit.
      */
     void chronometrer(Groupe groupe, Resultats resultats) throws IOException {
         Path fichier = Scenes.fichier(groupe.scene, dossier);
@@ -178,17 +180,12 @@ final class Mesureur {
         }
         double etendue = pris.stream().mapToDouble(p -> p[0][0]).max().getAsDouble() / moindre(pris, 0, 0) - 1;
         boolean occupee = groupe.volet.equals(Catalogue.FILS) && manches > 1 && (charge > CHARGE || etendue > ETENDUE);
-        if (!occupee) {
-            // un réglage que ce groupe n'a plus a été chronométré dans d'autres conditions
-            resultats.volet(groupe.volet).scene(groupe.scene).toutes.forEach(Mesure::oublierLesTemps);
-        }
+        // un réglage que ce groupe n'a plus a été chronométré dans d'autres conditions
+        resultats.volet(groupe.volet).scene(groupe.scene).toutes.forEach(Mesure::oublierLesTemps);
         for (int k = 1; k < commandes.size(); k++) {
             Mesure m = resultats.noter(groupe, groupe.essais.get(k - 1));
-            if (occupee) {
-                m.machine = m.machine.replaceFirst(" ; machine occupée.*", "") + " ; machine occupée le " + jour();
-            } else {
-                noter(m, pris, k);
-            }
+            noter(m, pris, k);
+            m.machine += occupee ? OCCUPEE : "";
         }
     }
 

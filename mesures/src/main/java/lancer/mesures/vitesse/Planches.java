@@ -36,8 +36,9 @@ final class Planches {
     private Volet choix(String scene, boolean grande) {
         Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport() > 0);
         siens.toutes.sort(Comparator.comparingDouble(m -> m.rayons));
-        Volet volet = new Volet(scene, "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
-                .repere(ARRONDI, grande ? "l'arrondi de l'écran" : "");
+        Volet volet = new Volet(scene, grande ? dater("secondes de processeur de la commande entière", siens)
+                : "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
+                .repereNommeDessous(ARRONDI, grande ? "l'arrondi de l'écran" : "");
         for (String methode : METHODES) {
             volet.serie(methode, true, points(siens.methode(methode), grande));
         }
@@ -87,13 +88,18 @@ final class Planches {
 
     /** Le temps écoulé selon le nombre de fils. */
     Planche fils() {
-        List<Mesure> siens = tous.volet(Catalogue.FILS).tels(m -> m.mur > 0).toutes;
+        Resultats mesures = tous.volet(Catalogue.FILS).tels(m -> m.mur > 0);
+        List<Mesure> siens = mesures.toutes;
         double mieux = siens.stream().mapToDouble(m -> m.mur).min().getAsDouble();
-        String occupee = siens.get(0).machine.contains("occupée") ? ", le " + siens.get(0).chronometre.replaceFirst(".* ", "")
-                + " (depuis, machine occupée)" : "";
         return new Planche(1, 620).volet(new Volet("Le temps écoulé selon le nombre de fils : au mieux ÷ "
-                + Nombres.arrondi(siens.get(0).mur / mieux), "fils" + occupee, "secondes écoulées").xOrdinaire().yOrdinaire()
+                + Nombres.arrondi(siens.get(0).mur / mieux), dater("fils", mesures), "secondes écoulées").xOrdinaire().yOrdinaire()
                 .serie("mesures", false, siens.stream().map(m -> new Volet.Point(m.x, m.mur)).collect(Collectors.toList())));
+    }
+
+    /** Ce nom d'axe, le commit et le jour de la plus ancienne de ces mesures, et si la machine était occupée. */
+    private static String dater(String axe, Resultats mesures) {
+        return axe + " ; commit " + mesures.plusAncienne(m -> m.chronometre).replace(" ", ", le ")
+                + (mesures.toutes.stream().anyMatch(m -> m.machine.endsWith(Mesureur.OCCUPEE)) ? Mesureur.OCCUPEE : "");
     }
 
     /** La pente de la droite des moindres carrés. */
@@ -109,7 +115,7 @@ final class Planches {
     /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */
     Planche spheres() {
         Resultats siens = tous.volet(Catalogue.SPHERES).tels(m -> m.rapport() > 0);
-        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères",
+        Volet volet = new Volet("Le temps selon le nombre de sphères", dater("nombre de sphères", siens),
                 "secondes de processeur de la commande entière");
         for (String methode : new String[] {Catalogue.PROGRAMME, Reglage.BOUCLES.methode, Reglage.POVRAY, Reglage.EMBREE}) {
             volet.serie(methode, true, siens.methode(methode).toutes.stream()

@@ -2,6 +2,7 @@ package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,7 +53,7 @@ final class Tableaux {
         List<Mesure> choisies = new ArrayList<>();
         Map<String, Function<Resultats, Optional<Mesure>>> souhaits = new LinkedHashMap<>();
         souhaits.put("aller au plus vite", r -> r.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
-        souhaits.put("le mieux, en deux fois ce temps", r -> r.lePlusJuste(Catalogue.COURS, 2));
+        souhaits.put("le mieux, en deux fois ce temps", r -> r.lePlusJuste(Catalogue.COURS, 2 * (1 + AUTANT)));
         souhaits.put("un niveau au plus", r -> r.leMoinsCher(Catalogue.COURS, 1));
         souhaits.put("moins que l'arrondi de l'écran", r -> r.leMoinsCher(Catalogue.COURS, Planches.ARRONDI));
         souhaits.forEach((souhait, reponse) -> {
@@ -75,13 +76,19 @@ final class Tableaux {
         return table.toString();
     }
 
-    /** Une case : le réglage, son erreur sur la pire de ces scènes, et son prix sur celle du cours. */
+    /** Une case : le réglage, son erreur sur la pire de ces scènes, et son prix sur celle du cours et sur la plus chère. */
     private String dire(Mesure m, Resultats scenes) {
         Mesure pire = scenes.pire(m).orElse(m);
+        Mesure chere = scenes.tels(a -> a.nom().equals(m.nom())).toutes.stream().max(Comparator.comparingDouble(this::prix)).orElse(m);
         return "<b>" + m.nom() + "</b><br>au pire " + Nombres.niveaux(pire.erreur.valeur) + " (de " + Nombres.arrondi(pire.erreur.min)
                 + " à " + Nombres.arrondi(pire.erreur.max) + ", " + pire.scene + ")<br>" + Nombres.arrondi(100 * pire.visibles)
-                + " % des pixels visiblement faux<br>rayons × " + Nombres.arrondi(m.rayons / choix.scene(m.scene).de(Reglage.UN_RAYON)
-                .map(u -> u.rayons).orElse(Double.NaN)) + (m.rapport() > 0 ? ", temps × " + Nombres.arrondi(m.rapport()) : "");
+                + " % des pixels visiblement faux<br>rayons × " + Nombres.arrondi(prix(m)) + (prix(chere) > prix(m) ? " (jusqu'à × "
+                + Nombres.arrondi(prix(chere)) + ", " + chere.scene + ")" : "") + (m.rapport() > 0 ? ", temps × " + Nombres.arrondi(m.rapport()) : "");
+    }
+
+    /** Les rayons, divisés par ceux d'un rayon par pixel de la même scène. */
+    private double prix(Mesure m) {
+        return m.rayons / choix.scene(m.scene).de(Reglage.UN_RAYON).map(u -> u.rayons).orElse(Double.NaN);
     }
 
     private static String bloc(String texte) {

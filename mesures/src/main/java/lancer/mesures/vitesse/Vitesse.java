@@ -28,7 +28,7 @@ import lancer.systeme.ErreurSysteme;
  */
 public final class Vitesse {
 
-    private static final List<String> OPTIONS = Arrays.asList("--comptes", "--temps", "--stabilite", "--dessiner");
+    private static final List<String> OPTIONS = Arrays.asList("--comptes", "--temps", "--stabilite", "--dessiner", "--verifier");
 
     /** Dossier des résultats d'une mesure complète, et de ses courbes. */
     private static final Path RESULTATS = Paths.get("mesures/resultats");
@@ -82,6 +82,10 @@ public final class Vitesse {
         }
         long debut = System.nanoTime();
         Files.createDirectories(TRAVAIL);
+        if (options.contains("--verifier")) {
+            new Verification(RESULTATS, TRAVAIL, sortie).faire();
+            return;
+        }
         PovRay povray = povray();
         Mesureur mesureur = new Mesureur(TRAVAIL, povray, sortie, Taille.PUBLIEE, false, r -> Arrays.asList("-jar", r.jar()));
         Resultats mesures = Resultats.lire(RESULTATS).tels(Catalogue.demandees());
