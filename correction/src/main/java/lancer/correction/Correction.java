@@ -38,6 +38,7 @@ import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.note.Ressemblances;
+import lancer.correction.note.Sorties;
 import lancer.correction.page.Pages;
 import org.apache.commons.io.function.IORunnable;
 import org.apache.commons.io.function.Uncheck;
@@ -121,7 +122,7 @@ public final class Correction {
             erreur.println("correction : " + Texte.protege(e.getMessage(), Integer.MAX_VALUE));
             return e.code;
         } catch (IOException e) {
-            erreur.println("correction : lecture ou écriture impossible : " + Texte.protege(e.toString()));
+            erreur.println("correction : lecture ou écriture impossible : " + Texte.protege(Sorties.raison(e)));
             return 1;
         }
     }
@@ -216,11 +217,12 @@ public final class Correction {
                 ajustements.de(r.id))).collect(Collectors.toList());
         eleves.sort(Comparator.comparing((Eleve e) -> e.resultat.nom, Depot::comparer).thenComparing(e -> e.resultat.id, Depot::comparer));
         List<String> avis = new ArrayList<>();
+        Sorties sorties = new Sorties();
         Ressemblances.dire(eleves, avis);
-        Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
-        ajustements.ecrireARemplir(dossier, eleves);
+        Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis, sorties);
+        ajustements.ecrireARemplir(dossier, eleves, sorties);
         List<Eleve> manques = new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream()
-                .mapToInt(r -> r.entrees.size())), avis);
+                .mapToInt(r -> r.entrees.size())), avis, sorties);
         avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
@@ -242,6 +244,8 @@ public final class Correction {
         } else if (!manques.isEmpty()) {
             throw new Panne(1, "des pages n'ont pas été écrites : " + manques.stream().map(e -> e.resultat.qui())
                     .collect(Collectors.joining(", ")));
+        } else if (!sorties.aCote().isEmpty()) {
+            throw new Panne(1, String.join(" ; ", sorties.aCote()));
         }
     }
 }

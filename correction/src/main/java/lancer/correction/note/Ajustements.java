@@ -114,20 +114,20 @@ public final class Ajustements {
      * Écrit {@code ajustements-a-remplir.csv} : les lignes déjà données, puis une ligne sans nombre par extension rendue ou ligne libre à
      * noter. Une fois rempli, ce fichier remplace {@code ajustements.csv}.
      */
-    public void ecrireARemplir(Path dossier, List<Eleve> eleves) throws IOException {
+    public void ecrireARemplir(Path dossier, List<Eleve> eleves, Sorties sorties) throws IOException {
         List<List<?>> tableau = new ArrayList<>(List.of(List.of(TITRES.split(","))));
         for (Eleve eleve : eleves) {
             de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
             (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
                     tableau.add(List.of(Texte.sansFormule(eleve.resultat.id), critere, "", "")));
         }
-        ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
+        ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau, sorties);
     }
 
     /** Écrit un tableau dans ce fichier ; un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
-    public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
+    public static void ecrire(Path fichier, List<List<?>> lignes, Sorties sorties) throws IOException {
         StringWriter ecrit = new StringWriter();
         CSVFormat.DEFAULT.print(ecrit).printRecords(lignes);
-        Files.write(fichier, ecrit.toString().getBytes(StandardCharsets.UTF_8));
+        sorties.ecrire(fichier, ecrit.toString().getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -3,6 +3,7 @@ package lancer.correction.note;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.charset.Charset;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -164,7 +165,8 @@ public final class FeuilleMoodle {
      * @param avis reçoit ce nom
      * @return les rendus jugés dont la note n'est pas dans la feuille : ils n'y sont pas, ou leur note est verrouillée
      */
-    public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
+    public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, List<String> avis, Sorties sorties)
+            throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
         Set<String> vus = new HashSet<>();
@@ -192,23 +194,28 @@ public final class FeuilleMoodle {
         StringWriter ecrit = new StringWriter();
         ecrit.append(texte.startsWith(BOM) ? BOM : "");
         format.print(ecrit).printRecords(lignes);
-        deposer(dossier, ecrit.toString().getBytes(codage), avis);
+        deposer(dossier, ecrit.toString().getBytes(codage), avis, sorties);
         return eleves.stream().filter(e -> !notes.contains(e) && !e.illisible()).collect(Collectors.toList());
     }
 
     /** Écrit le fichier à déposer, et ce qui dira s'il a été changé. */
-    private static void deposer(Path dossier, byte[] octets, List<String> avis) throws IOException {
+    private static void deposer(Path dossier, byte[] octets, List<String> avis, Sorties sorties) throws IOException {
         Path deposee = dossier.resolve(DEPOSEE);
         Path copie = dossier.resolve("." + DEPOSEE);
         if (Files.exists(deposee) && !(Files.exists(copie) && Arrays.equals(Files.readAllBytes(deposee), Files.readAllBytes(copie)))) {
             Path cote = dossier.resolve(DEPOSEE.replace(".csv", " changée avant le " + LocalDateTime.now()
                     .format(DateTimeFormatter.ofPattern("yyyy-MM-dd HH'h'mm'm'ss")) + ".csv"));
-            Files.move(deposee, cote, StandardCopyOption.REPLACE_EXISTING);
+            try {
+                Files.move(deposee, cote, StandardCopyOption.REPLACE_EXISTING);
+            } catch (FileSystemException e) {
+                sorties.ecrireACote(deposee, octets);
+                return;
+            }
             avis.add(DEPOSEE + " a été changé : il est gardé sous le nom « " + cote.getFileName() + " » ; une note se tape dans la feuille "
                     + "de Moodle, ou dans ajustements.csv");
         }
         Files.write(copie, octets);
-        Files.write(deposee, octets);
+        sorties.ecrire(deposee, octets);
     }
 
     /** Dit si cette note est vide, ou si notre commentaire la répète. */

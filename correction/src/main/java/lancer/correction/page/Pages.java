@@ -25,6 +25,7 @@ import lancer.correction.jugement.Verification;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
+import lancer.correction.note.Sorties;
 
 /**
  * Les pages d'une classe, d'après les gabarits de {@code resources/pages} : celle de chaque rendu, celle de tous ; et le tableau. Les
@@ -62,7 +63,8 @@ public final class Pages {
      * @param compte nombres d'entrées et de lignes ; @param avis messages à montrer en tête, et qui reçoit ces échecs
      * @return les rendus dont la page ou la rangée a échoué
      */
-    public List<Eleve> ecrire(Path dossier, List<Eleve> eleves, String compte, List<String> avis) throws IOException {
+    public List<Eleve> ecrire(Path dossier, List<Eleve> eleves, String compte, List<String> avis, Sorties sorties)
+            throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
         List<String> rangees = new ArrayList<>();
         List<Eleve> manques = new ArrayList<>();
@@ -88,7 +90,7 @@ public final class Pages {
         } catch (TemplateException e) {
             throw new IOException(e);
         }
-        tableau(dossier.resolve("classe.csv"), eleves);
+        tableau(dossier.resolve("classe.csv"), eleves, sorties);
         return manques;
     }
 
@@ -111,7 +113,7 @@ public final class Pages {
         return Texte.NUISIBLES.matcher(page.toString()).replaceAll("�");
     }
 
-    private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
+    private void tableau(Path fichier, List<Eleve> eleves, Sorties sorties) throws IOException {
         List<String> titres = new ArrayList<>(List.of("identifiant", "nom", "note", "sur", "étape atteinte",
                 "image identique", "refus", "à regarder"));
         grille.etapes.forEach(e -> titres.add(e.nom));
@@ -133,7 +135,7 @@ public final class Pages {
             ligne.replaceAll(Texte::sansFormule);
             lignes.add(ligne);
         }
-        Ajustements.ecrire(fichier, lignes);
+        Ajustements.ecrire(fichier, lignes, sorties);
     }
 
     /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
