@@ -105,7 +105,9 @@ public final class Option<T> {
     private final String aide;
     /** Vrai si deux de ses valeurs peuvent donner deux images d'une même scène. */
     boolean changeLImage;
-    private Parametre parametre;
+    /** Son nom dans la fenêtre, {@code null} si elle ne la laisse pas régler ; et ses mots à choisir. */
+    private String titre;
+    private Object[] mots;
     /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
     private List<Option<?>> requises = Collections.emptyList();
     private List<Option<?>> incompatibles = Collections.emptyList();
@@ -131,9 +133,10 @@ public final class Option<T> {
 
     /** Une de ces valeurs. @param quoi ce qu'elles sont @param aide ce qui les précède dans l'aide */
     private static <V> Option<V> parmi(String cle, List<V> valeurs, String quoi, String aide, V absente) {
-        int dernier = valeurs.size() - 1;
-        String liste = valeurs.subList(0, dernier).stream().map(V::toString).collect(Collectors.joining(", "))
-                + " ou " + valeurs.get(dernier);
+        String liste = valeurs.get(0).toString();
+        for (int k = 1; k < valeurs.size(); k++) {
+            liste += (k < valeurs.size() - 1 ? ", " : " ou ") + valeurs.get(k);
+        }
         return new Option<>(cle, valeurs.get(0).toString(), Lecture.parmi(valeurs), quoi + " : " + liste, aide + liste,
                 absente);
     }
@@ -143,9 +146,10 @@ public final class Option<T> {
         return this;
     }
 
-    /** La fenêtre la laisse régler, sous ce nom. @param mots ceux à choisir ; aucun pour un texte à taper */
-    private Option<T> enFenetre(String titre, Object... mots) {
-        parametre = Parametre.texte(titre, attendu, this::accepte, mots);
+    /** La fenêtre la laisse régler, sous ce nom. @param choix les mots à choisir ; aucun pour un texte à taper */
+    private Option<T> enFenetre(String nomDuReglage, Object... choix) {
+        titre = nomDuReglage;
+        mots = choix;
         return this;
     }
 
@@ -172,12 +176,12 @@ public final class Option<T> {
 
     /** Les options que la fenêtre laisse régler. */
     public static List<Option<?>> enFenetre() {
-        return TABLE.stream().filter(option -> option.parametre != null).collect(Collectors.toList());
+        return TABLE.stream().filter(option -> option.titre != null).collect(Collectors.toList());
     }
 
-    /** Ce que la fenêtre montre de cette option ; {@code null} si elle ne la laisse pas régler. */
+    /** Ce que montre la fenêtre d'une option qu'elle laisse régler. */
     public Parametre getParametre() {
-        return parametre;
+        return Parametre.texte(titre, attendu, this::accepte, mots);
     }
 
     boolean prendUneValeur() {

@@ -25,8 +25,12 @@ public final class Options {
         // dans l'ordre de la table : de deux fautes, c'est toujours la même qui est dite
         List<Option<?>> donnees = new ArrayList<>(Option.TABLE);
         donnees.retainAll(textes.keySet());
-        donnees.forEach(option -> option.lire(textes.get(option)));
-        donnees.forEach(option -> option.accorder(donnees));
+        for (Option<?> option : donnees) {
+            option.lire(textes.get(option));
+        }
+        for (Option<?> option : donnees) {
+            option.accorder(donnees);
+        }
         Reglages reglages = new Reglages(scene, textes);
         if (reglages.sansFenetre() && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
