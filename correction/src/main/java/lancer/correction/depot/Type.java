@@ -64,11 +64,6 @@ public final class Type {
         return nommees;
     }
 
-    /** Dit si un constructeur prend deux listes ; vrai aussi pour une classe qui n'est pas rendue. */
-    public boolean parListes() {
-        return methodes.isEmpty() || methodes.stream().anyMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("List", "List")));
-    }
-
     /** Nombre de ces méthodes que la classe contient. */
     long parmi(Set<String> attendues) {
         return attendues.stream().filter(nommees()::contains).count();

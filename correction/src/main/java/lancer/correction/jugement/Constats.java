@@ -60,9 +60,6 @@ final class Constats {
             resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
                     + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
         }
-        if (!projet.type("Scene").parListes() && perdues.stream().filter(v -> v.classe.equals("Scene")).count() > 1) {
-            resultat.regarder("Scene n'a pas de constructeur par deux listes, et ses vérifications échouent : à vérifier à la main");
-        }
         if (autres.isEmpty() && perdues.isEmpty()) {
             return;
         }
