@@ -103,6 +103,24 @@ class TheorieTest {
     }
 
     @Test
+    void unCosinusDeLambertNeCompteJamaisPourPlusQueUn() {
+        Random hasard = new Random(27);
+        int plusGrands = 0;
+        for (int k = 0; k < 2000; k++) {
+            Vecteur d = direction(hasard);
+            Point centre = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+            Sphere boule = boule(centre.x, centre.y, centre.z, 1, 1, 0, 1);
+            Point oeil = centre.add(2 + hasard.nextDouble(), d);
+            Scene scene = scene(Collections.singletonList(boule), new Lampe(oeil, new Couleur(1)));
+            Rayon rayon = new Rayon(oeil, d.neg());
+            assertTrue(scene.getCouleurVue(rayon, null, 0).r <= 1, "tirage " + k);
+            Point contact = rayon.calcContact();
+            plusGrands += boule.getNormale(contact).dot(new Vecteur(contact, oeil).normalized()) > 1 ? 1 : 0;
+        }
+        assertTrue(plusGrands > 100, plusGrands + " produits N·L dépassent 1");
+    }
+
+    @Test
     void unRayonQuiNePeutRienChangerNEstPasLance() {
         Lampe lampe = new Lampe(new Point(0, 0, -9), new Couleur(1));
         Scene mate = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), lampe);

@@ -77,12 +77,13 @@ class IntersectionTest {
             for (int k = 0; k < 3000; k++) {
                 double s = Math.scalb(1.0, hasard.nextInt(200) - 100);
                 double[] f = new double[3];
-                double t = 5 * s * Math.pow(2, -1 - 24 * hasard.nextDouble());
+                // de tout près, où la puissance du départ est calculée finement, à dix rayons
+                double t = 5 * s * Math.pow(2, 4 - 29 * hasard.nextDouble());
                 f[axe] = v[axe] * t;
                 f[a] = 3 * s;
                 f[b] = -4 * s;
                 String cas = "graine 61, tirage " + k + ", s = " + s + ", t = " + t;
-                assertEquals(t, distance(f, v, 5 * s), 4 * U * t, cas);
+                assertEquals(t, distance(f, v, 5 * s), 8 * U * t, cas);
                 assertEquals(INFINI, distance(f, v, Math.nextDown(5 * s)), cas + ", rayon plus court");
                 double dedans = distance(f, v, Math.nextUp(5 * s));
                 assertTrue(t < 1e-7 * s ? dedans > 0 : dedans < t, cas + ", rayon plus long : " + dedans);

@@ -10,6 +10,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
 import lancer.Camera;
 import lancer.CameraPlacee;
 import lancer.Couleur;
@@ -35,6 +36,7 @@ class CurseurTest {
 
         private final Sphere sphere;
         private final boolean bornee;
+        private final AtomicInteger demandes = new AtomicInteger();
 
         Bulle(Sphere sphere, boolean bornee) {
             this.sphere = sphere;
@@ -51,6 +53,7 @@ class CurseurTest {
 
         @Override
         public double getIntersectionDistance(Rayon incident) {
+            demandes.incrementAndGet();
             double d = sphere.getIntersectionDistance(incident);
             incident.setContact(this, d);
             return d;
@@ -87,6 +90,15 @@ class CurseurTest {
             assertEquals(spheres.rayons(), bulles.rayons(), taille + " : rayons");
             assertTrue(ComptesTest.cout(bulles) <= 1.5 * ComptesTest.cout(spheres),
                     taille + " : " + ComptesTest.cout(bulles) + " pour " + ComptesTest.cout(spheres));
+        }
+    }
+
+    @Test
+    void chaqueObjetDemandeEstCompte() {
+        for (boolean bornees : new boolean[] {true, false}) {
+            Scene scene = enBulles(ScenesDEssai.foule(3, 60, 0).scene(), bornees);
+            long comptes = dessiner(scene).compteurs.testsSpheres;
+            assertEquals(scene.getObjets().stream().mapToLong(bulle -> ((Bulle) bulle).demandes.get()).sum(), comptes);
         }
     }
 
