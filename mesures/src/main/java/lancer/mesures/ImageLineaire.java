@@ -57,13 +57,13 @@ public final class ImageLineaire implements Toile {
         return image;
     }
 
-    /** Un gris par pixel : le plus grand écart de ses composantes limitées à [0, 1], en niveaux, tant de fois grossi. */
-    public BufferedImage ecarts(ImageLineaire autre, int grossi) {
+    /** Un gris par pixel : le plus grand écart de ses composantes limitées à [0, 1], en niveaux, arrondi au-dessus. */
+    public BufferedImage ecarts(ImageLineaire autre) {
         BufferedImage image = new BufferedImage(largeur, hauteur(), BufferedImage.TYPE_INT_RGB);
         for (int k = 0; k < composantes.length / 3; k++) {
             double ecart = IntStream.range(3 * k, 3 * k + 3).mapToDouble(c -> Math.abs(Math.min(1, composantes[c])
                     - Math.min(1, autre.composantes[c]))).max().getAsDouble();
-            image.setRGB(k % largeur, k / largeur, 0x010101 * (int) Math.min(255, Math.ceil(255 * grossi * ecart)));
+            image.setRGB(k % largeur, k / largeur, 0x010101 * (int) Math.min(255, Math.ceil(255 * ecart)));
         }
         return image;
     }

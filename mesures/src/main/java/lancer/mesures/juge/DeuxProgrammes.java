@@ -57,7 +57,7 @@ public final class DeuxProgrammes {
             new FaussesCouleurs(jugee.lancer, marge, reflets, FILS).dessiner("marge");
             planche.vignette(notre.image(), "lancer, " + reflets + " reflets", "")
                     .vignette(sienne.image(), "POV-Ray, " + reflets + " reflets", "");
-            differences(planche, notre.ecarts(sienne, 1), marge);
+            differences(planche, notre.ecarts(sienne), marge);
         }
         planche.ecrire(dossier.resolve(PNG));
     }

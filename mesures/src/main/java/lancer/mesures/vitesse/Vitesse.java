@@ -99,7 +99,6 @@ public final class Vitesse {
             for (Groupe groupe : Catalogue.comptes()) {
                 mesureur.compter(groupe, mesures);
             }
-            Decoupe.dessiner(mesures, TRAVAIL);
         }
         if (demande("--comptes") || demande("--stabilite")) {
             new Mesures(false).ecrire(TRAVAIL);
@@ -110,7 +109,7 @@ public final class Vitesse {
         if (!options.contains("--dessiner")) {
             mesures.ecrire(TRAVAIL);
         }
-        for (String nom : Arrays.asList(Resultats.CSV, Mesures.CSV, DeuxProgrammes.PNG, Decoupe.PNG)) {
+        for (String nom : Arrays.asList(Resultats.CSV, Mesures.CSV, DeuxProgrammes.PNG)) {
             if (Files.exists(TRAVAIL.resolve(nom))) {
                 Files.move(TRAVAIL.resolve(nom), RESULTATS.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
             }

@@ -1,6 +1,7 @@
 package lancer.mesures.vitesse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -14,12 +15,8 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import lancer.Lancer;
-import lancer.dessin.Dessin;
 import lancer.mesures.FichierCsv;
-import lancer.mesures.Nombres;
 import lancer.mesures.pages.PagesMesurees;
-import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,21 +32,17 @@ class ResultatsTest {
         return Resultats.lire(RESULTATS);
     }
 
-    /** Trois réglages sur deux scènes, comptés de nouveau : ce que les pages disent est de ce programme. */
+    /** Deux réglages de la scène du cours, comptés de nouveau : ce que les pages disent est de ce programme. */
     @Test
-    void lesComptesPubliesSontEncoreCeuxDuProgramme() throws IOException {
-        Mesureur mesureur = new Mesureur(dossier, null, System.out, Taille.PUBLIEE, true, VitesseTest::programme);
-        for (String scene : List.of(Catalogue.COURS, "poussiere")) {
-            Lancer prepare = Dessin.lancer(Scenes.lire(Scenes.fichier(scene, dossier)), Taille.PUBLIEE.largeur, Taille.PUBLIEE.hauteur,
-                    false);
-            for (Reglage reglage : List.of(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Catalogue.UN_NIVEAU)) {
-                Mesure neuve = new Mesure(Catalogue.CHOIX, scene, reglage.methode, reglage.parametres, 0);
-                mesureur.compter(reglage, prepare, neuve);
-                Mesure publiee = publies().volet(Catalogue.CHOIX).scene(scene).de(reglage).get();
-                assertEquals(Nombres.champ(neuve.rayons) + " " + Nombres.champ(neuve.examens), Nombres.champ(publiee.rayons) + " "
-                        + Nombres.champ(publiee.examens), scene + ", " + neuve.nom() + " : make mesures MESURES=--comptes");
-            }
-        }
+    void unComptePublieEstCeluiDuProgrammeOuIlEstNomme() throws IOException {
+        Resultats cours = publies().volet(Catalogue.CHOIX).scene(Catalogue.COURS);
+        cours.ecrire(dossier);
+        Verification verification = new Verification(dossier, dossier, System.out);
+        verification.faire();
+        cours.de(Catalogue.UN_NIVEAU).get().rayons *= 1.001;
+        cours.ecrire(dossier);
+        String dit = assertThrows(IOException.class, verification::faire).getMessage();
+        assertTrue(dit.matches(".*\\(make mesures les refait\\) : scene1, partage n=12 seuil=0.045 : [^;]*"), dit);
     }
 
     @Test
