@@ -32,27 +32,28 @@ final class Enveloppes {
     final Objet3D[] objets;
     final double[] geometrie;
 
-    /** Rangs, dans la scène, des objets à examiner d'abord, géants ou libres, et de tous les autres. */
+    /** Rangs, dans la scène, des objets à examiner d'abord, géants ou libres, de tous les autres, et de tous. */
     final int[] dAbord;
     final int[] petits;
+    final int[] tous;
 
     Enveloppes(List<Objet3D> scene) {
         objets = scene.toArray(new Objet3D[0]);
         geometrie = copier();
         double geant = geant();
-        int[] rangs = new int[objets.length];
+        tous = new int[objets.length];
         int avant = 0;
-        int apres = rangs.length;
-        for (int k = 0; k < rangs.length; k++) {
+        int apres = tous.length;
+        for (int k = 0; k < tous.length; k++) {
             // NaN n'est pas petit
             if (geometrie[PAS * k + 3] <= geant) {
-                rangs[avant++] = k;
+                tous[avant++] = k;
             } else {
-                rangs[--apres] = k;
+                tous[--apres] = k;
             }
         }
-        petits = Arrays.copyOf(rangs, avant);
-        dAbord = Arrays.copyOfRange(rangs, avant, rangs.length);
+        petits = Arrays.copyOf(tous, avant);
+        dAbord = Arrays.copyOfRange(tous, avant, tous.length);
     }
 
     private double[] copier() {

@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Point;
+import lancer.Vecteur;
 
 /**
  * Les enveloppes vues d'un point, l'œil ou une lampe, par direction, de la plus proche à la plus lointaine (« light
@@ -19,7 +20,7 @@ final class PointDeVue {
     private static final double MARGE = 1e-14;
 
     /** Ce qui couvre l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
-    static final double ARRONDI_DU_TRI = 0x1p-26;
+    private static final double ARRONDI_DU_TRI = 0x1p-26;
 
     /** Plus petite distance dont le carré garde ses chiffres. */
     private static final double LOIN_MIN = 1e-120;
@@ -28,6 +29,7 @@ final class PointDeVue {
     private final double y;
     private final double z;
     private final double ecart;
+    private final double[] g;
     final Cellules cellules;
 
     /**
@@ -40,13 +42,14 @@ final class PointDeVue {
         z = p.z;
         ecart = p == depart ? 0 : ECART * Math.max(Enveloppes.plusGrande(x, y, z),
                 Enveloppes.plusGrande(depart.x, depart.y, depart.z));
-        double[] cones = new double[enveloppes.geometrie.length];
+        g = enveloppes.geometrie;
+        double[] cones = new double[g.length];
         long[] cles = new long[enveloppes.petits.length];
         // les derniers chiffres d'une distance font place au rang : il en reste 2^-26 jusqu'à trente millions d'objets
         long rangs = (Long.highestOneBit(enveloppes.objets.length) << 1) - 1;
         for (int o = 0; o < cles.length; o++) {
             int k = enveloppes.petits[o];
-            cles[o] = Double.doubleToRawLongBits(viser(enveloppes.geometrie, cones, k)) & ~rangs | k;
+            cles[o] = Double.doubleToRawLongBits(viser(cones, k)) & ~rangs | k;
         }
         Arrays.sort(cles);
         int[] ordre = Arrays.stream(cles).mapToInt(cle -> (int) (cle & rangs)).toArray();
@@ -58,7 +61,7 @@ final class PointDeVue {
      *
      * @return la distance de l'enveloppe, 0 si elle contient le point
      */
-    private double viser(double[] g, double[] cones, int k) {
+    private double viser(double[] cones, int k) {
         int s = Enveloppes.PAS * k;
         double dx = g[s] - x;
         double dy = g[s + 1] - y;
@@ -78,23 +81,35 @@ final class PointDeVue {
     }
 
     /**
-     * L'erreur de l'ordre des distances, pour un rayon qui part de P : celle du tri, en part de la distance de P à ce
-     * point, et trois écarts. Une enveloppe à moins de deux écarts du point est rangée comme si elle le contenait.
+     * L'erreur de l'ordre des enveloppes, pour un rayon qui part de P : celle du tri, en part de la distance de P à ce
+     * point, et trois écarts, car une enveloppe à moins de deux écarts est rangée comme si elle contenait le point.
      */
-    double erreur(double px, double py, double pz) {
-        double avance = Math.sqrt((px - x) * (px - x) + (py - y) * (py - y) + (pz - z) * (pz - z));
+    double erreur(Point p) {
+        double avance = Math.sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) + (p.z - z) * (p.z - z));
         return ARRONDI_DU_TRI * avance + 3 * ecart;
     }
 
+    /**
+     * Dit si, pour un rayon (P, V) qui vient de ce point, l'enveloppe de ce rang et toutes celles qui la suivent dans
+     * l'ordre sont au-delà d'une distance.
+     *
+     * @param limite cette distance, plus l'{@link #erreur} de l'ordre
+     */
+    boolean metAuDela(double limite, int rang, Point p, Vecteur v) {
+        int s = Enveloppes.PAS * rang;
+        double b = (g[s] - p.x) * v.x + (g[s + 1] - p.y) * v.y + (g[s + 2] - p.z) * v.z;
+        return b * (1 - ARRONDI_DU_TRI) - g[s + 3] > limite;
+    }
+
     /** Dit si ce rayon passe par ce point, puis s'en éloigne. */
-    boolean envoie(double px, double py, double pz, double vx, double vy, double vz) {
-        double ax = px - x;
-        double ay = py - y;
-        double az = pz - z;
-        double cx = ay * vz - az * vy;
-        double cy = az * vx - ax * vz;
-        double cz = ax * vy - ay * vx;
-        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ax * vx + ay * vy + az * vz >= 0
+    boolean envoie(Point p, Vecteur v) {
+        double ax = p.x - x;
+        double ay = p.y - y;
+        double az = p.z - z;
+        double cx = ay * v.z - az * v.y;
+        double cy = az * v.x - ax * v.z;
+        double cz = ax * v.y - ay * v.x;
+        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ax * v.x + ay * v.y + az * v.z >= 0
                 && Math.abs(ax) + Math.abs(ay) + Math.abs(az) <= PRES * ecart;
     }
 }

@@ -22,8 +22,7 @@ final class Structures {
     private static final int PLACES_PAR_CUBE = 8;
 
     final Enveloppes enveloppes;
-    /** Construit au premier rayon qui en a besoin. */
-    private volatile Arbre arbre;
+    private Arbre arbre;
     /** {@code null} là où l'arbre les remplace, comme pour l'œil et chaque lampe. */
     final Cellules espace;
     /** La plus grande coordonnée d'un rayon dans l'espace. */
@@ -43,25 +42,23 @@ final class Structures {
         }
         portee = 1024 * loin;
         boolean avecCellules = n > 0 && n <= OBJETS_PAR_PIXEL * (long) camera.getLargeur() * camera.getHauteur();
-        int voulus = Math.max(CUBES_AU_MOINS, CUBES_PAR_OBJET * n);
+        int cubes = Math.max(CUBES_AU_MOINS, CUBES_PAR_OBJET * n);
         espace = avecCellules ? Cellules.de(enveloppes.geometrie, enveloppes.petits, Enveloppes.MARGE * loin, false,
-                voulus, PLACES_PAR_CUBE * voulus) : null;
-        int permis = Math.max(CUBES_TOUJOURS, voulus) / (1 + lampes.size());
-        int cubes = Math.min(permis, voulus);
-        boolean avecVues = avecCellules && cubes > n / 16;
-        oeil = avecVues ? vue(camera.getOeil(), camera.getEcran(0, 0), cubes, PLACES_PAR_CUBE * permis) : null;
+                cubes, PLACES_PAR_CUBE * cubes) : null;
+        int permisParVue = Math.max(CUBES_TOUJOURS, cubes) / (1 + lampes.size());
+        int cubesParVue = Math.min(permisParVue, cubes);
+        int placesParVue = PLACES_PAR_CUBE * permisParVue;
+        boolean avecVues = avecCellules && cubesParVue > n / 16;
+        oeil = avecVues ? vue(camera.getOeil(), camera.getEcran(0, 0), cubesParVue, placesParVue) : null;
         for (Lampe lampe : avecVues ? lampes : Collections.<Lampe>emptyList()) {
             Point p = lampe.getPosition();
-            vues.put(p, vue(p, p, cubes, PLACES_PAR_CUBE * permis));
+            vues.put(p, vue(p, p, cubesParVue, placesParVue));
         }
     }
 
-    Arbre getArbre() {
-        if (arbre == null) {
-            synchronized (this) {
-                arbre = arbre == null ? new Arbre(enveloppes) : arbre;
-            }
-        }
+    /** L'arbre, construit au premier rayon qui en a besoin. */
+    synchronized Arbre getArbre() {
+        arbre = arbre == null ? new Arbre(enveloppes) : arbre;
         return arbre;
     }
 
