@@ -9,7 +9,7 @@ endif
 # Vide, ces tests sont laissés de côté ; FENETRES=exigees les fait là où Xvfb manque aussi, sur l'écran de l'utilisateur.
 FENETRES ?= $(if $(XVFB),exigees)
 
-.PHONY: test application javadoc scene-geante mesures juge mesure-auto comparer squelette corrige corriger profil-bwrap noter aide propre
+.PHONY: test application javadoc scene-geante mesures juge mesure-auto mesure-recherche comparer squelette corrige corriger profil-bwrap noter aide propre
 
 # Les tests de tous les modules, par groupes qui ne s'attendent pas. Maven dit où il en est, module par module et classe par classe, et va
 # au bout même si des tests échouent : après un changement voulu, il les nomme tous.
@@ -62,6 +62,10 @@ juge: mesures/target/mesures.jar
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner
+
+# Les boucles ou les structures, selon les objets et les rayons à venir : la table que cite lancer.rapide.Preparation.
+mesure-recherche: mesures/target/mesures.jar
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureRecherche mesures/resultats/recherche.csv
 
 CORRECTION := correction/target/correction.jar
 # il ne dure pas : compiler à fond coûterait de la mémoire sans rien gagner (outils/mesure-corriger.sh)

@@ -22,9 +22,7 @@ public interface Recherche {
      */
     Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee);
 
-    /**
-     * Dit qu'un objet plus lointain que cette distance est désormais inutile ; un objet à cette distance ne l'est pas.
-     */
+    /** Dit qu'il n'est plus besoin de proposer un objet plus lointain que cette distance. */
     void limiter(double distance);
 
     /** De cet objet et de ceux qui ont été proposés à la même distance, le premier dans l'ordre de la scène. */

@@ -24,13 +24,17 @@ public final class Dessin {
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
+    /** Nombre d'images qu'une fenêtre dessinera d'une scène, et de rayons par pixel d'un échantillonnage, à peu près. */
+    private static final int IMAGES_D_UNE_FENETRE = 10;
+    private static final int RAYONS_ECHANTILLONNES = 4;
+
     private static final double NS_PAR_S = 1e9;
 
     public final Demande demande;
     public final ImageMemoire image;
     /** Le lancer de cette demande, préparé. */
     public final Lancer lancer;
-    /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */
+    /** Une phrase, si ce sont les boucles qui dessinent malgré la recherche ; {@code null} sinon. */
     public final String ecart;
     /** Celui qui a dessiné l'image en dernier : le même, ou celui d'autres réglages. */
     volatile Lancer dernier;
@@ -58,12 +62,19 @@ public final class Dessin {
         Scene scene = demande.getScene();
         Camera camera = scene.getCamera(demande.largeur, demande.hauteur);
         long debut = System.nanoTime();
-        Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
+        Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene
+                : Preparation.preparer(scene, camera, rayons(demande));
         long preparationNs = System.nanoTime() - debut;
-        boolean cachait = preparee != scene && Regard.trouveUneReponseCachee(preparee, camera);
-        String ecart = !cachait ? null : "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
-                + "questions : ce sont les boucles sur tous les objets qui dessinent";
-        return new Dessin(demande, new Lancer(cachait ? scene : preparee, camera), ecart, preparationNs);
+        String ecart = preparee == scene ? null : Regard.regarder(preparee, camera);
+        return new Dessin(demande, new Lancer(ecart == null ? preparee : scene, camera), ecart, preparationNs);
+    }
+
+    /** Nombre de rayons de l'écran à venir, à peu près. */
+    private static long rayons(Demande demande) {
+        Reglages options = demande.reglages;
+        boolean plusieurs = options.estDonnee(Option.AUTO) || options.getModele().getEchantillonnage().isPresent();
+        int images = options.sansFenetre() ? options.get(Option.REPETER) : IMAGES_D_UNE_FENETRE;
+        return (long) demande.largeur * demande.hauteur * images * (plusieurs ? RAYONS_ECHANTILLONNES : 1);
     }
 
     /** L'image à dessiner, sans ce qu'un fichier ne demande pas. */
@@ -80,7 +91,7 @@ public final class Dessin {
     /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Option#SIMPLE} */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = scene.getCamera(largeur, hauteur);
-        return new Lancer(simple ? scene : Preparation.preparer(scene, camera), camera);
+        return new Lancer(simple ? scene : Preparation.preparer(scene, camera, (long) largeur * hauteur), camera);
     }
 
     /**

@@ -14,9 +14,15 @@ public final class Preparation {
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
     static final int PEU = 15;
 
-    /** Nombre d'objets, puis produit des pixels, des objets et des rayons par contact, d'une petite image. */
-    private static final int QUARANTE = 40;
-    private static final long VITE_FAIT = 1 << 20;
+    /** Nombre d'objets au-delà duquel les boucles ne dessinent jamais. */
+    private static final int BEAUCOUP = 40;
+
+    /**
+     * Nombre de demandes, en plus de celles que recevraient {@link #PEU} objets, à partir duquel les boucles coûtent
+     * plus que les structures, temps de compiler celles-ci compris : table {@code mesures/resultats/recherche.csv}, que
+     * refait {@code make mesure-recherche}.
+     */
+    private static final long DEMANDES_EN_PLUS = 40_000_000;
 
     private final List<Objet3D> objets;
     private final List<Lampe> lampes;
@@ -31,16 +37,17 @@ public final class Preparation {
     }
 
     /**
-     * La même scène, avec sa recherche : la sienne s'il y a peu d'objets, ou si l'image est si petite que ses boucles
-     * finissent avant la construction d'une autre. L'image est la même.
+     * La même scène, avec ce qui y cherche le mieux : ses boucles seules s'il y a peu d'objets, ou s'il y en a quelques
+     * dizaines et peu de rayons à venir ; des structures sinon. L'image est la même.
      *
+     * @param rayons nombre de rayons de l'écran à venir, à peu près
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
-    public static Scene preparer(Scene scene, Camera camera) {
-        long nombre = scene.getObjets().size();
-        long questions = (long) camera.getLargeur() * camera.getHauteur() * (1 + scene.getLampes().size());
-        boolean peu = nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT;
-        return peu ? scene : structurer(scene, camera);
+    public static Scene preparer(Scene scene, Camera camera, long rayons) {
+        int nombre = scene.getObjets().size();
+        double enPlus = (double) rayons * (1 + scene.getLampes().size()) * (nombre - PEU);
+        boolean boucles = nombre <= PEU || nombre <= BEAUCOUP && enPlus <= DEMANDES_EN_PLUS;
+        return boucles ? scene : structurer(scene, camera);
     }
 
     /** La même scène, dont la recherche a des structures. */

@@ -25,7 +25,7 @@ import lancer.scene.LecteurSections;
 public final class Essai {
 
     /** Ce que dit le programme quand sa recherche cachait une réponse, et que les boucles dessinent à sa place. */
-    private static final String REPLI = "ce sont les boucles sur tous les objets qui dessinent";
+    private static final String REPLI = "image dessinée par les boucles, plus lentement";
 
     private static final Method ICI = programme(Essai.class.getClassLoader());
 

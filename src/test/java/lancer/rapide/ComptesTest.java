@@ -1,6 +1,7 @@
 package lancer.rapide;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -48,16 +49,20 @@ class ComptesTest {
         return new IdentiteTest.Dessin(Structuree.scene(scene, CAMERA), CAMERA, profondeur, 2).compteurs;
     }
 
-    /** Jusqu'à quinze objets, ou quelques pixels, les boucles du cours répondent sur leur propre liste. */
+    private static boolean estPreparee(int objets, int rayons) {
+        Scene scene = ScenesDEssai.foule(5, objets, 0).scene();
+        return Preparation.preparer(scene, CAMERA, rayons) != scene;
+    }
+
+    /** Les boucles du cours répondent alors sur leur propre liste. */
     @Test
-    void rienNEstPrepareJusquAQuinzeObjetsNiPourQuelquesPixels() {
-        Scene quinze = ScenesDEssai.foule(5, 15, 0).scene();
-        Scene seize = ScenesDEssai.foule(5, 16, 0).scene();
-        for (int[] cote : new int[][] {{8, 6, 1, 1}, {80, 60, 1, 1}, {800, 600, 1, 0}}) {
-            Camera camera = new Camera(cote[0], cote[1]);
-            assertEquals(cote[2] == 1, Preparation.preparer(quinze, camera) == quinze, cote[0] + " : quinze");
-            assertEquals(cote[3] == 1, Preparation.preparer(seize, camera) == seize, cote[0] + " : seize");
-        }
+    void rienNEstPrepareJusquAQuinzeObjetsNiPourQuelquesDizainesDontPeuDeRayonsViendront() {
+        int image = 800 * 600;
+        assertFalse(estPreparee(15, 1000 * image), "quinze objets");
+        assertFalse(estPreparee(27, image), "une image de vingt-sept objets");
+        assertTrue(estPreparee(27, 20 * image), "vingt images de vingt-sept objets");
+        assertTrue(estPreparee(27, 4 * image), "quatre rayons par pixel");
+        assertTrue(estPreparee(41, 1), "quarante et un objets");
     }
 
     /** Cent lampes ont chacune leur carte : un rayon d'ombre y coûte ce qu'il coûte avec dix. */
@@ -85,6 +90,10 @@ class ComptesTest {
             this.camera = camera;
             this.profondeur = profondeur;
             this.points = points;
+        }
+
+        long rayons() {
+            return (long) camera.getLargeur() * camera.getHauteur() * points * points;
         }
 
         Compteurs compter(Scene cherchee) {
@@ -151,7 +160,7 @@ class ComptesTest {
         List<String> fautes = new ArrayList<>();
         for (Map.Entry<String, Cas> e : cas().entrySet()) {
             Cas cas = e.getValue();
-            Compteurs rapide = cas.compter(Preparation.preparer(cas.scene, cas.camera));
+            Compteurs rapide = cas.compter(Preparation.preparer(cas.scene, cas.camera, cas.rayons()));
             String debut = e.getKey() + " : ";
             lignes.add(debut + cout(rapide));
             String attendue = attendues.stream().filter(ligne -> ligne.startsWith(debut)).findFirst().orElse(debut + 0);
@@ -189,7 +198,7 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                assertThrows(CancellationException.class, () -> Regard.trouveUneReponseCachee(cellules, CAMERA));
+                assertThrows(CancellationException.class, () -> Regard.regarder(cellules, CAMERA));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }

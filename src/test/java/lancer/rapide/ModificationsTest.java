@@ -54,7 +54,7 @@ class ModificationsTest {
         try (Essai.Isole programme = new Essai.Isole(Collections.emptyList())) {
             sansChangement = dessiner(programme, "--simple");
         }
-        String recherche = "rapide/Preparation|return peu ? scene :|return|";
+        String recherche = "rapide/Preparation|return boucles ? scene :|return|";
         try (Essai.Isole programme = Modification.de(dossier, (recherche + changements).split("\\|"))) {
             float[] boucles = dessiner(programme, "--simple");
             assertArrayEquals(boucles, dessiner(programme), "la recherche ne donne pas l'image des boucles");
@@ -67,8 +67,8 @@ class ModificationsTest {
     void ceQueLaRechercheCacheraitEstDitEtLesBouclesDessinent() throws IOException {
         try (Essai.Isole change = Modification.de(dossier, "Sphere", "setContact(this, d)", "setContact(this, d = d - 1)")) {
             String image = dossier.resolve("i.png").toString();
-            assertEquals(0, change.executer("--simple", "--taille=200x150", "--image", image, "scenes/diffus.ini").code);
-            Essai essai = change.executerAvecRepli("--comparer", image, "scenes/diffus.ini");
+            assertEquals(0, change.executer("--simple", "--taille=200x150", "--image", image, "scenes/tournesol.ini").code);
+            Essai essai = change.executerAvecRepli("--comparer", image, "scenes/tournesol.ini");
             assertEquals(0, essai.code, essai.toString());
         }
     }

@@ -10,10 +10,14 @@ import java.util.List;
 import java.util.Map;
 import lancer.Camera;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Le regard voit une recherche qui cache un objet ; il ne voit rien d'une recherche juste. */
 class RegardTest {
@@ -36,8 +40,46 @@ class RegardTest {
         }
     }
 
+    /** Une sphère dont les réponses échouent : une distance qui n'est pas un nombre, une exception, une normale nulle. */
+    private static final class Fautive extends Debordante {
+
+        private final String faute;
+
+        Fautive(Sphere sphere, String faute) {
+            super(sphere, 1);
+            this.faute = faute;
+            setMatiere(sphere);
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            if (faute.equals("exception")) {
+                throw new IllegalStateException("pas fini");
+            }
+            double d = faute.equals("NaN") ? Double.NaN : super.getIntersectionDistance(incident);
+            incident.setContact(this, d);
+            return d;
+        }
+
+        @Override
+        public Vecteur getNormale(Point contact) {
+            return faute.equals("normale") ? null : super.getNormale(contact);
+        }
+    }
+
+    /** Une sphère la cache peut-être : le regard la demande tout de même. */
+    @ParameterizedTest
+    @ValueSource(strings = {"NaN", "exception", "normale"})
+    void uneFormeQuiEchoueEstNommee(String faute) {
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+        objets.set(30, new Fautive((Sphere) objets.get(30), faute));
+        Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+        String dit = Regard.regarder(Structuree.scene(scene, CAMERA), CAMERA);
+        assertTrue(dit.contains(Fautive.class.getName()), dit);
+    }
+
     private static boolean trouve(Scene scene) {
-        return Regard.trouveUneReponseCachee(Structuree.scene(scene, CAMERA), CAMERA);
+        return Regard.regarder(Structuree.scene(scene, CAMERA), CAMERA) != null;
     }
 
     @Test
