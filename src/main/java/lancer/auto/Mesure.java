@@ -55,7 +55,7 @@ public final class Mesure {
         haut = bas + ZERO_VU / NORMALE * manque;
         rienVu = Arrays.stream(carres).allMatch(c -> Math.abs(c) <= JUSTE);
         aUnIntervalle = !rienVu && poids.length >= ASSEZ;
-        rares = manque > RARE * carre;
+        rares = aUnIntervalle && plusGrand > 1 && carre > 0 && manque > RARE * carre;
         erreur = plus(0);
         incertitude = Math.max(erreur - plus(-NORMALE), plus(NORMALE) - erreur);
     }
@@ -77,7 +77,7 @@ public final class Mesure {
     /** L'erreur et son intervalle, ou qu'aucun écart n'a été vu ; et ce qui a pu échapper. */
     public String enMots() {
         double detail = Arrays.stream(poids).sum() / plusGrand / 3;
-        return direLErreur() + (aUnIntervalle && rares ? " hors détails rares" : "") + (plusGrand == 1 ? ""
+        return direLErreur() + (rares ? " hors détails rares" : "") + (plusGrand == 1 ? ""
                 : String.format(Locale.ROOT, " ; pixels tirés au hasard : un détail plus petit que 1/%.0f de l'image a pu "
                 + "échapper", detail));
     }

@@ -34,22 +34,26 @@ class MesureTest {
     void ceQuiEstRareAPuManquer() {
         double[] carres = new double[100];
         double[] poids = new double[100];
-        Arrays.fill(poids, 1);
+        Arrays.fill(poids, 20);
         carres[0] = 100;
         Mesure mesure = new Mesure(poids, carres);
         assertEquals(1, mesure.erreur, 1e-12);
         assertEquals(Math.sqrt(1 + 1.96 + 3.69), mesure.plus(1.96), 0.01, "ce que le hasard ôte, et ce qui a pu manquer, s'ajoutent");
         assertEquals(0, mesure.plus(-1.96), "il a pu ne pas y en avoir d'autre");
-        assertEquals("erreur de 1.00 ± 1.58 hors détails rares", mesure.enMots());
+        String hasard = " ; pixels tirés au hasard : un détail plus petit que 1/33 de l'image a pu échapper";
+        assertEquals("erreur de 1.00 ± 1.58 hors détails rares" + hasard, mesure.enMots());
         Arrays.fill(carres, 0, 30, 100);
-        assertEquals("erreur de 5.48 ± 1.06", new Mesure(poids, carres).enMots(), "trente écarts ne sont pas rares");
+        assertEquals("erreur de 5.48 ± 1.06" + hasard, new Mesure(poids, carres).enMots(), "trente écarts ne sont pas rares");
+        Arrays.fill(poids, 1);
+        Arrays.fill(carres, 1, 30, 0);
+        assertEquals("erreur de 1.00 ± 1.58", new Mesure(poids, carres).enMots(), "tous les pixels sont mesurés");
     }
 
     @Test
     void uneEstimationNegativeNeDonneQueSaBorne() {
         Mesure mesure = new Mesure(new double[] {20, 20, 20, 20, 20, 20, 20, 20}, new double[] {-3, -3, -3, -3, 1, 1, 1, 1});
         assertEquals(0, mesure.erreur);
-        assertEquals("erreur d'au plus " + String.format(Locale.ROOT, "%.2f", mesure.plus(1.96)) + " hors détails rares"
+        assertEquals("erreur d'au plus " + String.format(Locale.ROOT, "%.2f", mesure.plus(1.96))
                 + " ; pixels tirés au hasard : un détail plus petit que 1/3 de l'image a pu échapper", mesure.enMots());
         assertEquals(mesure.plus(1.96), mesure.incertitude);
     }

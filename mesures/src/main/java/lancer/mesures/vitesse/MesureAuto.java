@@ -62,33 +62,25 @@ public final class MesureAuto {
 
         final String ligne;
         final String sorte;
-        final double voulue;
-        final double vraie;
-        final double mesuree;
-        final double incertitude;
         final String verdict;
-        final double rayons;
-        final double essais;
-        final double moinsCher;
         final String quand;
+        private final String[] champs;
 
-        /** @param c un champ par colonne */
-        Reponse(String... c) {
-            ligne = FichierCsv.ligne((Object[]) c);
-            sorte = sorte(c[0]);
-            voulue = Nombres.champ(c[2]);
-            vraie = Nombres.champ(c[4]);
-            mesuree = Nombres.champ(c[5]);
-            incertitude = Nombres.champ(c[6]);
-            verdict = c[7];
-            rayons = Nombres.champ(c[8]);
-            essais = Nombres.champ(c[9]);
-            moinsCher = Nombres.champ(c[10]);
-            quand = c[11] + " " + c[12];
+        /** @param champs un par colonne */
+        Reponse(String... champs) {
+            this.champs = champs;
+            ligne = FichierCsv.ligne((Object[]) champs);
+            sorte = sorte(champs[0]);
+            verdict = champs[7];
+            quand = champs[11] + " " + champs[12];
+        }
+
+        double nombre(String colonne) {
+            return Nombres.champ(champs[Arrays.asList(COLONNES.split(",")).indexOf(colonne)]);
         }
 
         boolean aUnIntervalle() {
-            return !Double.isNaN(incertitude);
+            return !Double.isNaN(nombre("incertitude"));
         }
     }
 
@@ -176,15 +168,16 @@ public final class MesureAuto {
     }
 
     private static List<String> bilan(String sorte, List<Reponse> reponses) {
-        double[] prix = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.moinsCher).filter(p -> !Double.isNaN(p)).toArray();
+        double[] prix = reponses.stream().mapToDouble(r -> (r.nombre("rayons") + r.nombre("essais")) / r.nombre("moins_cher"))
+                .filter(p -> !Double.isNaN(p)).toArray();
         double pire = Arrays.stream(prix).max().orElse(Double.NaN);
         return Arrays.asList(sorte,
-                compte(reponses, Reponse::aUnIntervalle, r -> Math.abs(r.mesuree - r.vraie) <= r.incertitude),
+                compte(reponses, Reponse::aUnIntervalle, r -> Math.abs(r.nombre("mesuree") - r.nombre("vraie")) <= r.nombre("incertitude")),
                 compte(reponses, r -> true, r -> r.verdict.equals("tenue")),
-                compte(reponses, r -> r.verdict.equals("tenue"), r -> r.vraie > r.voulue),
+                compte(reponses, r -> r.verdict.equals("tenue"), r -> r.nombre("vraie") > r.nombre("voulue")),
                 compte(reponses, r -> true, r -> r.verdict.matches("dépassée|incertaine")),
                 compte(reponses, r -> true, r -> !r.aUnIntervalle()),
-                compte(reponses, r -> r.aUnIntervalle() && r.vraie > SENSIBLE, r -> r.incertitude < r.mesuree),
+                compte(reponses, r -> r.aUnIntervalle() && r.nombre("vraie") > SENSIBLE, r -> r.nombre("incertitude") < r.nombre("mesuree")),
                 "× " + Nombres.nombre(Intervalle.mediane(prix)), "× " + Nombres.nombre(pire));
     }
 

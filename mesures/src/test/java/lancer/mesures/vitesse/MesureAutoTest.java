@@ -25,9 +25,9 @@ class MesureAutoTest {
         List<MesureAuto.Reponse> reponses = MesureAuto.repondre("sort-3", SceneAuHasard.de(3), new Taille(96, 72), 2, 4, 8);
         double prix = Double.POSITIVE_INFINITY;
         for (MesureAuto.Reponse r : reponses) {
-            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne);
-            assertTrue(r.moinsCher <= prix && r.rayons > 0 && r.essais > 0, r.ligne);
-            prix = r.moinsCher;
+            assertTrue(!r.verdict.equals("tenue") || r.nombre("vraie") <= r.nombre("voulue"), r.ligne);
+            assertTrue(r.nombre("moins_cher") <= prix && r.nombre("rayons") > 0 && r.nombre("essais") > 0, r.ligne);
+            prix = r.nombre("moins_cher");
         }
         String bilan = bilan(reponses.stream().map(r -> r.ligne).collect(Collectors.toList()));
         assertTrue(bilan.startsWith("| scènes communes | 3 fois sur 3 | "), bilan);
@@ -37,8 +37,8 @@ class MesureAutoTest {
     @Test
     void deCeQuiNEstPasVuRienNEstAnnonce(@TempDir Path dossier) throws IOException {
         for (MesureAuto.Reponse r : MesureAuto.repondre("etoile", Scenes.lire(Scenes.fichier("etoile", dossier)), new Taille(96, 72), 1)) {
-            assertTrue(r.verdict.equals("rien vu") == Double.isNaN(r.incertitude), r.ligne);
-            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne);
+            assertTrue(r.verdict.equals("rien vu") == Double.isNaN(r.nombre("incertitude")), r.ligne);
+            assertTrue(!r.verdict.equals("tenue") || r.nombre("vraie") <= r.nombre("voulue"), r.ligne);
         }
     }
 
