@@ -1,13 +1,10 @@
 package lancer.fils;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Supplier;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.Couleur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
@@ -50,12 +47,20 @@ public final class Atelier {
         List<Vue> vuesDesFils = creer(vues, fils);
         equipe.faire(travaux(echantillonnage, vuesDesFils, toile));
         if (seRegardeDeuxFois()) {
-            equipe.faire(travaux(echantillonnage,
-                    vuesDesFils.stream().map(Vue::seconde).collect(Collectors.toList()), toile));
+            List<Vue> secondes = new ArrayList<>();
+            for (Vue vue : vuesDesFils) {
+                secondes.add(vue.seconde());
+            }
+            equipe.faire(travaux(echantillonnage, secondes, toile));
         }
         Compteurs comptes = new Compteurs();
-        vuesDesFils.forEach(vue -> comptes.ajouter(vue.compteurs()));
-        comptes.pixelsRaffines = relevesFaits().mapToLong(releve -> releve.raffines).sum();
+        for (Vue vue : vuesDesFils) {
+            comptes.ajouter(vue.compteurs());
+        }
+        comptes.pixelsRaffines = 0;
+        for (Releve releve : relevesFaits()) {
+            comptes.pixelsRaffines += releve.raffines;
+        }
         compteurs = comptes;
         dureeNs = System.nanoTime() - debut;
     }
@@ -72,7 +77,11 @@ public final class Atelier {
 
     /** Une vue par fil, et pas plus de fils que de pavés. */
     private List<Vue> creer(Supplier<Vue> vues, int fils) {
-        return Stream.generate(vues).limit(Math.min(fils, paves.size())).collect(Collectors.toList());
+        List<Vue> vuesDesFils = new ArrayList<>();
+        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
+            vuesDesFils.add(vues.get());
+        }
+        return vuesDesFils;
     }
 
     /** Le travail de chaque fil : dessiner les pavés qu'il prend, ou ceux que sa seconde vue revoit. */
@@ -80,25 +89,43 @@ public final class Atelier {
         boolean seconde = vues.get(0).estSeconde();
         AtomicReferenceArray<Releve> relevesDuRegard = seconde ? releves : new AtomicReferenceArray<>(paves.size());
         releves = relevesDuRegard;
-        int[] rangs = IntStream.range(0, paves.size())
-                .filter(k -> !seconde || relevesDuRegard.get(k).aRevoir).toArray();
-        return vues.stream().map(vue -> (Runnable) () -> {
-            for (int tache = equipe.prendre(); tache < rangs.length; tache = equipe.prendre()) {
-                Pave pave = paves.get(rangs[tache]);
-                relevesDuRegard.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
-                fautes.peindre(pave, toile);
+        List<Integer> rangs = new ArrayList<>();
+        for (int k = 0; k < paves.size(); k++) {
+            if (!seconde || relevesDuRegard.get(k).aRevoir) {
+                rangs.add(k);
             }
-        }).collect(Collectors.toList());
+        }
+        List<Runnable> travaux = new ArrayList<>();
+        for (Vue vue : vues) {
+            travaux.add(() -> {
+                for (int tache = equipe.prendre(); tache < rangs.size(); tache = equipe.prendre()) {
+                    Pave pave = paves.get(rangs.get(tache));
+                    relevesDuRegard.set(rangs.get(tache), echantillonnage.tracer(pave, pave, vue, toile));
+                    fautes.peindre(pave, toile);
+                }
+            });
+        }
+        return travaux;
     }
 
-    private Stream<Releve> relevesFaits() {
-        AtomicReferenceArray<Releve> relevesConnus = releves;
-        return IntStream.range(0, relevesConnus.length()).mapToObj(relevesConnus::get).filter(Objects::nonNull);
+    private List<Releve> relevesFaits() {
+        AtomicReferenceArray<Releve> relevesDuRegard = releves;
+        List<Releve> faits = new ArrayList<>();
+        for (int k = 0; k < relevesDuRegard.length(); k++) {
+            if (relevesDuRegard.get(k) != null) {
+                faits.add(relevesDuRegard.get(k));
+            }
+        }
+        return faits;
     }
 
     /** Dit si ce qui est dessiné laisse craindre des détails que personne n'a vus ({@link Releve#soupcon}). */
     public boolean seRegardeDeuxFois() {
-        return relevesFaits().mapToDouble(releve -> releve.soupcon).sum() > 0;
+        double soupcon = 0;
+        for (Releve releve : relevesFaits()) {
+            soupcon += releve.soupcon;
+        }
+        return soupcon > 0;
     }
 
     /**
@@ -126,8 +153,12 @@ public final class Atelier {
 
     /** La part dessinée de l'image ou du brouillon en cours, de 0 à 1 ; un pavé à revoir ne compte que pour moitié. */
     public double getAvancement() {
-        double entier = seRegardeDeuxFois() ? 0.5 : 1;
-        return relevesFaits().mapToDouble(releve -> releve.aRevoir ? entier : 1).sum() / releves.length();
+        double aRevoir = seRegardeDeuxFois() ? 0.5 : 1;
+        double faits = 0;
+        for (Releve releve : relevesFaits()) {
+            faits += releve.aRevoir ? aRevoir : 1;
+        }
+        return faits / releves.length();
     }
 
     /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */
