@@ -155,7 +155,8 @@ class AutoTest {
         dessiner(auto);
         assertTrue(!auto.getMesure().aUnIntervalle, "" + auto.getMesure().erreur);
         String dit = auto.getMesure().enMots();
-        assertTrue(dit.matches("aucun écart sur (1[5-9]|2[0-4]). pixels ; pixels tirés au hasard : un détail plus petit que 1/[3-8]. de l'image a pu échapper"), dit);
+        assertTrue(dit.matches("aucun écart sur (1[5-9]|2[0-4]). pixels ; "
+                + "pixels tirés au hasard : un détail plus petit que 1/[3-8]. de l'image a pu échapper"), dit);
     }
 
     @Test
@@ -302,7 +303,8 @@ class AutoTest {
             Couleur[] image = dessiner(auto);
             double vraie = vraie(auto.getLancer(), image);
             // là où rien n'est vu, aucun intervalle n'est annoncé
-            contenues += !auto.getMesure().aUnIntervalle || Math.abs(auto.getMesure().erreur - vraie) <= auto.getMesure().incertitude ? 1 : 0;
+            Mesure mesure = auto.getMesure();
+            contenues += !mesure.aUnIntervalle || Math.abs(mesure.erreur - vraie) <= mesure.incertitude ? 1 : 0;
             dits.add(vraie + " : " + auto.getMesure().erreur + " ± " + auto.getMesure().incertitude);
         }
         assertTrue(contenues >= 11, dits.toString());

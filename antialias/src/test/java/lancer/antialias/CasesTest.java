@@ -73,7 +73,8 @@ class CasesTest {
             for (int hauteur = 1; hauteur <= 4; hauteur++) {
                 Pave pave = new Pave(7, 9, 7 + largeur, 9 + hauteur);
                 Vue vue = comptee((xe, ye) -> new Couleur(Math.sin(xe * ye)));
-                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE).raffines, largeur + " × " + hauteur);
+                int raffines = new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE).raffines;
+                assertEquals(largeur * hauteur - 1, raffines, largeur + " × " + hauteur);
                 assertEquals(4 * largeur * hauteur, rayons, largeur + " × " + hauteur);
             }
         }

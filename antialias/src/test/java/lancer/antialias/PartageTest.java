@@ -53,8 +53,8 @@ class PartageTest {
         Vue vue = (xe, ye) -> new Couleur(Math.sin(xe * xe), bord(xe, ye), Math.cos(7 * ye));
         for (int n : new int[] {1, 2, 3, 8}) {
             assertEquals(Arrays.asList(pixels(new Coins(n, 0), PAVE, vue)), Arrays.asList(pixels(Antialias.partage(n, 0), PAVE, vue)));
-            assertEquals(new Coins(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines, Antialias.partage(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines,
-                    "raffinés");
+            assertEquals(new Coins(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines,
+                    Antialias.partage(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines, "raffinés");
         }
     }
 

@@ -177,7 +177,8 @@ public final class MesureAuto {
                 compte(reponses, r -> r.verdict.equals("tenue"), r -> r.nombre("vraie") > r.nombre("voulue")),
                 compte(reponses, r -> true, r -> r.verdict.matches("dépassée|incertaine")),
                 compte(reponses, r -> true, r -> !r.aUnIntervalle()),
-                compte(reponses, r -> r.aUnIntervalle() && r.nombre("vraie") > SENSIBLE, r -> r.nombre("incertitude") < r.nombre("mesuree")),
+                compte(reponses, r -> r.aUnIntervalle() && r.nombre("vraie") > SENSIBLE,
+                        r -> r.nombre("incertitude") < r.nombre("mesuree")),
                 "× " + Nombres.nombre(Intervalle.mediane(prix)), "× " + Nombres.nombre(pire));
     }
 

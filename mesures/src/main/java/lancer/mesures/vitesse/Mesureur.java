@@ -156,7 +156,8 @@ final class Mesureur {
     // ---- ce qui se chronomètre
 
     /**
-     * Note le moindre temps de chaque réglage, et celui de l'unité. Un temps écoulé ne dit rien si la machine fait autre chose : elle le dit.
+     * Note le moindre temps de chaque réglage, et celui de l'unité ; et si la machine faisait autre chose, ce qui ôte son sens à un temps
+     * écoulé.
      */
     void chronometrer(Groupe groupe, Resultats resultats) throws IOException {
         Path fichier = Scenes.fichier(groupe.scene, dossier);

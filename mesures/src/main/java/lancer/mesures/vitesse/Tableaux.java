@@ -80,10 +80,11 @@ final class Tableaux {
     private String dire(Mesure m, Resultats scenes) {
         Mesure pire = scenes.pire(m).orElse(m);
         Mesure chere = scenes.tels(a -> a.nom().equals(m.nom())).toutes.stream().max(Comparator.comparingDouble(this::prix)).orElse(m);
+        String plus = prix(chere) > prix(m) ? " (jusqu'à × " + Nombres.arrondi(prix(chere)) + ", " + chere.scene + ")" : "";
         return "<b>" + m.nom() + "</b><br>au pire " + Nombres.niveaux(pire.erreur.valeur) + " (de " + Nombres.arrondi(pire.erreur.min)
                 + " à " + Nombres.arrondi(pire.erreur.max) + ", " + pire.scene + ")<br>" + Nombres.arrondi(100 * pire.visibles)
-                + " % des pixels visiblement faux<br>rayons × " + Nombres.arrondi(prix(m)) + (prix(chere) > prix(m) ? " (jusqu'à × "
-                + Nombres.arrondi(prix(chere)) + ", " + chere.scene + ")" : "") + (m.rapport() > 0 ? ", temps × " + Nombres.arrondi(m.rapport()) : "");
+                + " % des pixels visiblement faux<br>rayons × " + Nombres.arrondi(prix(m)) + plus
+                + (m.rapport() > 0 ? ", temps × " + Nombres.arrondi(m.rapport()) : "");
     }
 
     /** Les rayons, divisés par ceux d'un rayon par pixel de la même scène. */

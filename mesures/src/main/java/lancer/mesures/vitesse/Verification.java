@@ -43,7 +43,8 @@ final class Verification {
             Lancer prepare = Dessin.lancer(Scenes.lire(Scenes.fichier(scene, dossier)), Taille.PUBLIEE.largeur, Taille.PUBLIEE.hauteur,
                     false);
             for (Reglage reglage : Arrays.asList(Reglage.UN_RAYON, Catalogue.UN_NIVEAU)) {
-                Mesure publiee = publies.scene(scene).de(reglage).orElseThrow(() -> new IOException("pas de " + reglage.nom() + " de " + scene));
+                Mesure publiee = publies.scene(scene).de(reglage)
+                        .orElseThrow(() -> new IOException("pas de " + reglage.nom() + " de " + scene));
                 Mesure neuve = new Mesure(publiee.volet, scene, publiee.methode, publiee.parametres, publiee.x);
                 mesureur.compter(reglage, prepare, neuve);
                 if (!comptes(neuve).equals(comptes(publiee))) {

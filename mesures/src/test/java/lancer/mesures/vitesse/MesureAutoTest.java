@@ -44,8 +44,8 @@ class MesureAutoTest {
 
     @Test
     void ceQuiEstTenuEtSonPrixSontComptes() {
-        assertEquals("| scènes communes | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | × 1,5 | × 1,5 "
-                + "|",
+        assertEquals("| scènes communes | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | "
+                + "× 1,5 | × 1,5 |",
                 bilan(List.of("a,10x10,2,r,1,1.2,0.3,tenue,10,5,10,c,d", "b,10x10,2,r,2.5,2,0.4,tenue,10,10,,c,d",
                         "c,10x10,2,r,4,5,1,dépassée,10,5,10,c,d", "d,10x10,2,r,4,0,,rien vu,10,5,10,c,d")));
     }
