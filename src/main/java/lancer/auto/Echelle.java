@@ -45,11 +45,15 @@ public final class Echelle {
 
     /** Texte d'un échelon : la section à écrire dans la scène, et les options. */
     public static String dire(Reglages echelon) {
+        return direLEchantillonnage(echelon) + ", --reflets " + echelon.getProfondeur() + " --seuil "
+                + BigDecimal.valueOf(echelon.get(Option.SEUIL)).toPlainString();
+    }
+
+    /** La section à écrire dans la scène ou, à défaut, ce qui choisit les rayons. */
+    public static String direLEchantillonnage(Reglages echelon) {
         Variante essayee = echelon.getEssayee();
         String deLaScene = echelon.getModele().getEchantillonnage().isPresent()
                 ? "l'échantillonnage de la scène" : "un rayon par pixel";
-        String choisi = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
-        return choisi + ", --reflets " + echelon.getProfondeur() + " --seuil "
-                + BigDecimal.valueOf(echelon.get(Option.SEUIL)).toPlainString();
+        return essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
     }
 }

@@ -14,6 +14,7 @@ import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.systeme.Console;
+import lancer.texte.Nombre;
 
 /**
  * Ce qui est demandé : la scène, la valeur de chaque option et, quand la scène est lue, chaque variante présente,
@@ -205,7 +206,8 @@ public final class Reglages {
         int reflets = get(Option.REFLETS);
         String reflexions = reflets + (reflets > 1 ? " réflexions" : " réflexion");
         String etape = get(Option.ETAPE) == Etape.REFLETS ? reflexions : "étape " + get(Option.ETAPE);
-        String seuil = get(Option.SEUIL).equals(Option.SEUIL.absente) ? "" : ", seuil " + get(Option.SEUIL);
+        String seuil = get(Option.SEUIL).equals(Option.SEUIL.absente) ? ""
+                : ", seuil " + Nombre.enFraction(get(Option.SEUIL));
         return etape + seuil + sections.keySet().stream().filter(this::estBranchee)
                 .map(v -> ", " + getSectionEntiere(v)).collect(Collectors.joining());
     }

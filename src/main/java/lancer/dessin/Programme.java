@@ -10,7 +10,7 @@ public interface Programme {
 
     /** Voir {@link LecteurScene#lire}. */
     default SceneLue lire(String fichier, DoubleConsumer suivi) {
-        return LecteurScene.lire(fichier, suivi);
+        return LecteurScene.lireEtGarder(fichier, suivi);
     }
 
     /**

@@ -67,7 +67,7 @@ public final class SansFenetre {
     }
 
     private Demande lire() {
-        return new Demande(programme.lire(options.scene, part -> { }), options);
+        return new Demande(LecteurScene.lire(options.scene, part -> { }), options);
     }
 
     /** Dit ce que la lecture de la scène a ignoré, ce qui n'a de sens que si le reste a réussi. */

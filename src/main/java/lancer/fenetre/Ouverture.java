@@ -14,8 +14,9 @@ import lancer.commande.Reglages;
 import lancer.contrat.Cause;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
+import lancer.fenetre.moteur.Moteur;
+import lancer.fenetre.vue.Apparence;
 import lancer.scene.LecteurSections;
-import lancer.scene.Surveillance;
 import lancer.systeme.Echec;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
@@ -36,15 +37,16 @@ public final class Ouverture {
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Reglages options, Programme programme, PrintStream erreur, Runnable fin) {
+        // sur un Mac, Commande+Q ferme les fenêtres, qui demandent que faire de ce qui n'est pas écrit
+        System.setProperty("apple.eawt.quitStrategy", "CLOSE_ALL_WINDOWS");
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
-        FutureTask<Void> apparence = new FutureTask<>(Apparence::preparer, null);
+        FutureTask<Integer> apparence = new FutureTask<>(() -> Apparence.preparer(Moteur::getPolice));
         if (manque == null) {
             // pendant que la scène se lit ici
             EventQueue.invokeLater(apparence);
         }
-        String version = options.scene == null ? null : Surveillance.version(options.scene);
         Demande demande = options.scene == null ? null
                 : new Demande(programme.lire(options.scene, part -> { }), options);
         if (manque != null) {
@@ -53,17 +55,10 @@ public final class Ouverture {
         }
         Fenetre[] ouverte = new Fenetre[1];
         try {
-            apparence.get();
+            int police = apparence.get();
             EventQueue.invokeAndWait(() -> {
-                Travail premier = demande == null ? null : new Travail(programme, demande);
-                if (premier != null) {
-                    // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-                    premier.version = version;
-                    premier.execute();
-                }
-                ouverte[0] = new Fenetre(programme, options, LecteurSections.nomsDesVariantes(), fin);
-                new Commandes(ouverte[0]);
-                ouverte[0].montrer(premier);
+                ouverte[0] = new Fenetre(programme, options, demande, LecteurSections.nomsDesVariantes(), police, fin);
+                ouverte[0].montrer();
             });
         } catch (ExecutionException e) {
             throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + Cause.dire(e)

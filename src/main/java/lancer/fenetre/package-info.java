@@ -1,5 +1,6 @@
 /**
- * La fenêtre Swing : image, avancement, menus, fichiers ouverts et surveillés. Seul ce paquet connaît Swing et AWT.
- * {@code Fenetre} contient l'affichage, et {@code Controleur} la suite des dessins. {@code --image} ne le charge pas.
+ * La fenêtre Swing. {@code etat} dit ce qui se montre et ce qui suit, {@code moteur} travaille dans d'autres fils,
+ * {@code vue} montre, et {@code Fenetre} les relie. Eux seuls connaissent Swing et AWT. {@code --image} ne les charge
+ * pas.
  */
 package lancer.fenetre;

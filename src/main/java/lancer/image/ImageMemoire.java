@@ -1,5 +1,7 @@
 package lancer.image;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import lancer.Couleur;
@@ -20,8 +22,26 @@ public final class ImageMemoire implements Toile {
     public volatile Function<Couleur, String> sens =
             c -> String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
 
+    /** Les teintes d'une vue, dans leur ordre, et ce que chacune veut dire ; vide pour des couleurs. */
+    public volatile List<Teinte> teintes = Collections.emptyList();
+
+    /** Les codes qui se montrent à l'écran, si ce ne sont pas ceux du fichier ; {@code null} sinon. */
+    public volatile int[] aLEcran;
+
     /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
     public volatile String echelle = "";
+
+    /** Une teinte, et ce qu'elle veut dire ; vide si elle mène de la précédente à la suivante. */
+    public static final class Teinte {
+
+        public final String mot;
+        public final Couleur couleur;
+
+        public Teinte(String mot, Couleur couleur) {
+            this.mot = mot;
+            this.couleur = couleur;
+        }
+    }
 
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {

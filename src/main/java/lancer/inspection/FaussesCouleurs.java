@@ -21,6 +21,7 @@ import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
+import lancer.image.ImageMemoire.Teinte;
 import lancer.texte.Nombre;
 
 /** Vues d'une scène en fausses couleurs ({@code --vue}), chacune avec sa légende. Le ciel y est noir. */
@@ -41,6 +42,7 @@ public final class FaussesCouleurs {
 
     /** Les nombres d'un pixel où rien n'est vu : ni une normale, ni une distance, ni un compte. Sa teinte est noire. */
     private static final Couleur CIEL = new Couleur(-1);
+    private static final Couleur NOIR = new Couleur();
 
     private final Lancer lancer;
     private final Camera camera;
@@ -73,6 +75,9 @@ public final class FaussesCouleurs {
     }
 
     private void dessinerLesNormales() {
+        image.teintes = Arrays.asList(new Teinte("x", new Couleur(1, 0.5, 0.5)),
+                new Teinte("y", new Couleur(0.5, 1, 0.5)), new Teinte("z", new Couleur(0.5, 0.5, 1)),
+                new Teinte("ciel", NOIR));
         legender("N = %.4f %.4f %.4f", "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
         tracer(parContact((scene, contact) -> {
             Vecteur N = contact.objet.getNormale(contact);
@@ -82,6 +87,8 @@ public final class FaussesCouleurs {
 
     private void dessinerLesLampes() {
         int toutes = lancer.getScene().getLampes().size();
+        image.teintes = Arrays.asList(new Teinte("0", NOIR), new Teinte("", new Couleur(0.5)),
+                new Teinte("" + toutes, new Couleur(1)));
         legender("lampes : %.0f", "vue lampes : lampes qui éclairent, noir : aucune, blanc : " + toutes + " sur "
                 + toutes + " ; ciel noir");
         tracer(parContact(FaussesCouleurs::compterLesLampes),
@@ -93,6 +100,11 @@ public final class FaussesCouleurs {
         double[] distances = nombrer(parContact((scene, contact) -> new Couleur(contact.distance)));
         double[] contacts = Arrays.stream(distances).filter(d -> d > 0).distinct().sorted().toArray();
         int dernier = contacts.length - 1;
+        if (dernier >= 0) {
+            image.teintes = Arrays.asList(new Teinte(Nombre.arrondir(contacts[0]), new Couleur(1)),
+                    new Teinte(Nombre.arrondir(contacts[contacts.length / 2]), new Couleur(0.55)),
+                    new Teinte(Nombre.arrondir(contacts[dernier]), new Couleur(0.1)), new Teinte("ciel", NOIR));
+        }
         legender("d = %.5f", "vue distance : " + (dernier < 0 ? "aucun contact" : "d = "
                 + Nombre.arrondir(contacts[0]) + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2])
                 + " au milieu, " + Nombre.arrondir(contacts[dernier]) + " en gris sombre") + " ; ciel noir");
@@ -105,6 +117,9 @@ public final class FaussesCouleurs {
     private void dessinerLesRayons() {
         double[] rayons = nombrer(this::compterLesRayons);
         double max = Arrays.stream(rayons).max().getAsDouble();
+        image.teintes = Arrays.asList(new Teinte("1", NOIR), new Teinte("", teinte(0.25)),
+                new Teinte(String.format("%.0f", Math.sqrt(max)), teinte(0.5)), new Teinte("", teinte(0.75)),
+                new Teinte(String.format("%.0f", max), new Couleur(1)));
         legender("rayons : %.0f",
                 String.format("vue rayons : noir : 1 rayon, rose : %.0f, blanc : %.0f", Math.sqrt(max), max));
         peindre(rayons, n -> teinte(Math.log(n) / Math.log(Math.max(2, max))));
@@ -115,9 +130,15 @@ public final class FaussesCouleurs {
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
                 + "orange : 3 et 4, blanc : l'arrondi suffit");
+        image.teintes = Arrays.asList(new Teinte("rien ne change", new Couleur(0.7)),
+                new Teinte("8 à 10", teinteDeMarge(8)),
+                new Teinte("5 à 7", teinteDeMarge(5)), new Teinte("3 et 4", teinteDeMarge(3)),
+                new Teinte("0 à 2", teinteDeMarge(0)));
+        int[] gris = new int[image.largeur * image.hauteur];
         tracer((pave, voulus, vue, toile) ->
-                Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile),
-                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[(int) m.r]]), m, x, y));
+                Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue, gris)), toile),
+                (m, x, y) -> image.drawPixel(teinteDeMarge((int) m.r), m, x, y));
+        image.aLEcran = grossir(gris);
     }
 
     /** @param format celui du texte des nombres d'un pixel @param legende une ligne */
@@ -160,6 +181,26 @@ public final class FaussesCouleurs {
         };
     }
 
+    private static Couleur teinteDeMarge(int decimales) {
+        return couleur(ECHELLE[MARGES[decimales]]);
+    }
+
+    /** Les pixels qui ne sont pas noirs, trois fois plus larges et plus hauts, sur ces gris. */
+    private int[] grossir(int[] gris) {
+        int[] codes = gris.clone();
+        for (int k = 0; k < codes.length; k++) {
+            for (int v = 0; v < 9 && image.codes[k] != NOIR.getCode(); v++) {
+                int x = k % image.largeur + v % 3 - 1;
+                int y = k / image.largeur + v / 3 - 1;
+                boolean dedans = x >= 0 && x < image.largeur && y >= 0 && y < image.hauteur;
+                if (dedans && (v == 4 || image.codes[y * image.largeur + x] == NOIR.getCode())) {
+                    codes[y * image.largeur + x] = image.codes[k];
+                }
+            }
+        }
+        return codes;
+    }
+
     private static Couleur compterLesLampes(Scene scene, PointContact contact) {
         Vecteur N = contact.objet.getNormale(contact);
         int eclairent = 0;
@@ -190,9 +231,11 @@ public final class FaussesCouleurs {
     }
 
     /** Le nombre de décimales que peut perdre la direction du rayon de ce point, de 0 à 11. */
-    private int marge(double xe, double ye, Vue vue) {
+    private int marge(double xe, double ye, Vue vue, int[] gris) {
         SplittableRandom hasard = new SplittableRandom((long) ye * camera.getLargeur() + (long) xe);
         Couleur dessinee = vue.couleur(xe, ye);
+        double clarte = 0.4 + 0.6 * Math.min(1, (dessinee.r + dessinee.v + dessinee.b) / 3);
+        gris[(int) ye * image.largeur + (int) xe] = new Couleur(clarte).getCode();
         // le rayon passe par l'œil : le tourner, c'est déplacer son point de l'écran
         double tour = new Vecteur(camera.getOeil(), camera.getEcran(xe, ye)).norme()
                 * camera.getLargeur() / Constantes.ECHELLE;

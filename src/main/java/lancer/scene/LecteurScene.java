@@ -1,5 +1,8 @@
 package lancer.scene;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
@@ -11,6 +14,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
+import java.util.function.UnaryOperator;
 import lancer.SceneFautive;
 import lancer.contrat.Variante;
 import lancer.systeme.ErreurSysteme;
@@ -73,7 +77,7 @@ public final class LecteurScene {
         return trouve;
     }
 
-    private static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
+    static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
         return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
     }
 
@@ -84,19 +88,47 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
-        long debut = System.nanoTime();
-        SceneLue lue = new LecteurScene(nomFichier, trouver(nomFichier)).lire(suivi);
-        lue.dureeNs = System.nanoTime() - debut;
+        return lire(nomFichier, suivi, entree -> entree);
+    }
+
+    /** Lit comme {@link #lire} une scène qui pourra être changée : son texte est gardé. */
+    public static SceneLue lireEtGarder(String nomFichier, DoubleConsumer suivi) {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        SceneLue lue = lire(nomFichier, suivi, entree -> new FilterInputStream(entree) {
+            @Override
+            public int read(byte[] tampon, int debut, int nombre) throws IOException {
+                int lus = super.read(tampon, debut, nombre);
+                octets.write(tampon, debut, Math.max(0, lus));
+                return lus;
+            }
+        });
+        lue.texte = new TexteScene(octets.toByteArray());
         return lue;
     }
 
-    private SceneLue lire(DoubleConsumer suivi) {
-        try (InputStream entree = Files.newInputStream(lue.chemin)) {
-            lue.version = SceneLue.version(lue.chemin);
+    private static SceneLue lire(String nomFichier, DoubleConsumer suivi, UnaryOperator<InputStream> garde) {
+        long debut = System.nanoTime();
+        LecteurScene lecteur = new LecteurScene(nomFichier, trouver(nomFichier));
+        lecteur.lire(() -> garde.apply(Files.newInputStream(lecteur.lue.chemin)), suivi);
+        lecteur.lue.dureeNs = System.nanoTime() - debut;
+        return lecteur.lue;
+    }
+
+    /** @throws SceneFautive si ce texte, qui est ou sera celui de ce fichier, n'est pas celui d'une scène */
+    static void verifier(String nom, Path chemin, TexteScene texte) {
+        new LecteurScene(nom, chemin).lire(() -> new ByteArrayInputStream(texte.getOctets()), part -> { });
+    }
+
+    /** Ce qui s'ouvre pour être lu. */
+    private interface Ouverture {
+        InputStream ouvrir() throws IOException;
+    }
+
+    private void lire(Ouverture ouverture, DoubleConsumer suivi) {
+        try (InputStream entree = ouverture.ouvrir()) {
             lignes = new Lignes(entree, lue.chemin.toFile().length(), suivi);
             Decoupage decoupage = new Decoupage();
             decoupage.parse(lignes, decoupage);
-            return lue;
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {

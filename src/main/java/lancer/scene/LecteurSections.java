@@ -82,7 +82,7 @@ public final class LecteurSections {
         }
         for (Forme forme : inscrites(Forme.class)) {
             ajouter(new Type(forme.getSection(), forme.getClass(), avecMatiere(forme.getCles()),
-                    (section, lue) -> lue.ajouter(lire(forme, section), section, "centre")));
+                    (section, lue) -> lireForme(forme, section, lue)));
         }
     }
 
@@ -142,15 +142,19 @@ public final class LecteurSections {
         return types.values().stream().map(type -> type.nom).collect(Collectors.joining(", "));
     }
 
+    private static void lireForme(Forme forme, SectionLue section, SceneLue lue) {
+        lue.ajouter(lire(forme, section), section, (autre, celle) -> lireForme(forme, autre, celle));
+    }
+
     private static void lireSphere(SectionLue section, SceneLue lue) {
         Sphere sphere = new Sphere(section.point("centre"), section.longueur("rayon"));
         lireMatiere(section, sphere);
-        lue.ajouter(sphere, section, "centre");
+        lue.ajouter(sphere, section, LecteurSections::lireSphere);
     }
 
     private static void lireLampe(SectionLue section, SceneLue lue) {
         Lampe lampe = new Lampe(section.point("position"), section.couleur("couleur", LUMIERE_MAX));
-        lue.ajouter(lampe, section, "position");
+        lue.ajouter(lampe, section, LecteurSections::lireLampe);
     }
 
     /** Avertit que cette section, d'une variante absente, est laissée de côté. */

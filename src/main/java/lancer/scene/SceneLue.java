@@ -1,20 +1,18 @@
 package lancer.scene;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.function.Predicate;
 import lancer.Camera;
+import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
@@ -23,14 +21,10 @@ import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.systeme.Ecriture;
 import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
 public final class SceneLue {
-
-    /** Une ligne : ce qui précède sa valeur, sa valeur, puis les blancs et la fin de la ligne. */
-    private static final String LIGNE = "([^\r\n=:]*[=:][ \t]*)?[^\r\n]*?([ \t]*(?:\r\n|\r|\n|\\z))";
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
@@ -47,24 +41,31 @@ public final class SceneLue {
     /** Le nom du fichier, tel qu'il est demandé. */
     public final String nom;
     final Path chemin;
-    /** La {@link #version} du fichier avant sa lecture. */
-    String version;
+    /** Le texte lu ; {@code null} si la lecture ne l'a pas gardé. */
+    TexteScene texte;
     long dureeNs;
     /** Les objets et les lampes, dans l'ordre du fichier. */
     private final List<Origine> origines = new ArrayList<>();
 
-    /** Un objet ou une lampe, le nom de sa section, sa ligne, et celle de sa place. */
+    /** Les sections qui ne sont plus celles du texte lu, par leur nom. */
+    private final Map<String, SectionLue> changees = new LinkedHashMap<>();
+    /** Celles du texte lu qui ont été demandées. */
+    private final Map<String, SectionLue> relues = new HashMap<>();
+
+    /** Un objet ou une lampe, sa section, sans ses valeurs, et ce qui lit une telle section. */
     private static final class Origine {
         final Object chose;
         final String nom;
         final int ligne;
-        final int lignePlace;
+        final List<String> cles;
+        final BiConsumer<SectionLue, SceneLue> lecture;
 
-        Origine(Object chose, String nom, int ligne, int lignePlace) {
+        Origine(Object chose, String nom, int ligne, List<String> cles, BiConsumer<SectionLue, SceneLue> lecture) {
             this.chose = chose;
             this.nom = nom;
             this.ligne = ligne;
-            this.lignePlace = lignePlace;
+            this.cles = cles;
+            this.lecture = lecture;
         }
     }
 
@@ -73,15 +74,9 @@ public final class SceneLue {
         this.chemin = chemin;
     }
 
-    /** L'heure et la taille d'un fichier. */
-    static String version(Path chemin) throws IOException {
-        BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
-        return a.lastModifiedTime() + " " + a.size();
-    }
-
-    /** Ajoute un objet ou une lampe. @param cle celle de sa place */
-    void ajouter(Object chose, SectionLue section, String cle) {
-        ajouter(new Origine(chose, section.nom, section.ligne, section.getLigne(cle)));
+    /** Ajoute l'objet ou la lampe de cette section. @param lecture ce qui lit une section de ce type */
+    void ajouter(Object chose, SectionLue section, BiConsumer<SectionLue, SceneLue> lecture) {
+        ajouter(new Origine(chose, section.nom, section.ligne, section.connues, lecture));
     }
 
     private void ajouter(Origine lue) {
@@ -93,10 +88,36 @@ public final class SceneLue {
         origines.add(lue);
     }
 
+    private Origine origine(Predicate<Origine> voulue) {
+        return origines.stream().filter(voulue).findFirst().orElse(null);
+    }
+
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cette chose ne vient pas du fichier. */
     public String getOrigine(Object chose) {
-        return origines.stream().filter(lue -> lue.chose == chose).findFirst()
-                .map(lue -> "[" + lue.nom + "] ligne " + lue.ligne).orElse(null);
+        Origine lue = origine(celle -> celle.chose == chose);
+        return lue == null ? null : "[" + lue.nom + "] ligne " + lue.ligne;
+    }
+
+    /** Le nom de la section de cette chose ; {@code null} si elle ne vient pas du fichier. */
+    public String getNomDeSection(Object chose) {
+        Origine lue = origine(celle -> celle.chose == chose);
+        return lue == null ? null : lue.nom;
+    }
+
+    /** L'objet ou la lampe de la section de ce nom ; {@code null} s'il n'y en a pas. */
+    public Object getChose(String section) {
+        Origine lue = origine(celle -> celle.nom.equals(section));
+        return lue == null ? null : lue.chose;
+    }
+
+    /** La section de ce nom ; {@code null} si elle n'est celle d'aucun objet ni d'aucune lampe du texte lu. */
+    public SectionLue getSection(String section) {
+        Origine lue = origine(celle -> celle.nom.equals(section));
+        if (lue == null || texte == null) {
+            return null;
+        }
+        return changees.containsKey(section) ? changees.get(section) : relues.computeIfAbsent(section,
+                nouvelle -> texte.lire(new SectionLue(chemin.toString(), section, lue.ligne, lue.cles)));
     }
 
     /** La position de cette lampe, ou le centre de cette sphère. */
@@ -104,28 +125,26 @@ public final class SceneLue {
         return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
     }
 
-    /** La même scène, où cette lampe, ou cette sphère qui n'est pas d'une autre classe, a cette place. */
-    public SceneLue avec(Object chose, Point place) {
+    /**
+     * La même scène, où cette clé d'un objet ou d'une lampe a cette valeur.
+     *
+     * @throws SceneFautive si cette valeur est refusée, avec le message que ferait la lecture du fichier
+     */
+    public SceneLue avec(String section, String cle, String valeur) {
+        SectionLue changee = getSection(section).changee(cle, valeur);
+        SceneLue seule = new SceneLue(nom, chemin);
+        origine(lue -> lue.nom.equals(section)).lecture.accept(changee, seule);
         SceneLue faite = new SceneLue(nom, chemin);
-        faite.version = version;
+        faite.texte = texte;
         faite.dureeNs = dureeNs;
         faite.cadrage = cadrage;
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
-        for (Origine lue : origines) {
-            faite.ajouter(lue.chose != chose ? lue
-                    : new Origine(deplacee(chose, place), lue.nom, lue.ligne, lue.lignePlace));
-        }
+        faite.changees.putAll(changees);
+        faite.changees.put(section, changee);
+        origines.forEach(lue -> faite.ajouter(lue.nom.equals(section)
+                ? new Origine(seule.origines.get(0).chose, lue.nom, lue.ligne, lue.cles, lue.lecture) : lue));
         return faite;
-    }
-
-    private static Object deplacee(Object chose, Point place) {
-        if (chose instanceof Lampe) {
-            return new Lampe(place, ((Lampe) chose).getCouleur());
-        }
-        Sphere sphere = new Sphere(place, ((Sphere) chose).getRayon());
-        sphere.setMatiere((Sphere) chose);
-        return sphere;
     }
 
     /** Le temps de la lecture, en nanosecondes. */
@@ -142,6 +161,24 @@ public final class SceneLue {
         return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
     }
 
+    /** La matière de cet objet, comme dans un fichier ; vide si cette clé n'est pas de la matière. */
+    public static String valeurDeMatiere(Objet3D objet, String cle) {
+        switch (cle) {
+            case "Kd":
+                return ecrire(objet.getKd());
+            case "Ks":
+                return ecrire(objet.getKs());
+            case "ns":
+                return Nombre.ecrire(objet.getNs());
+            default:
+                return "";
+        }
+    }
+
+    private static String ecrire(Couleur c) {
+        return Nombre.ecrire(c.r) + " " + Nombre.ecrire(c.v) + " " + Nombre.ecrire(c.b);
+    }
+
     /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */
     public Modele getModele() {
         Modele.Construction modele = new Modele.Construction();
@@ -152,55 +189,33 @@ public final class SceneLue {
         return modele.construire();
     }
 
-    /** L'heure et la taille du fichier qui contient cette scène, ou la scène dont elle vient. */
-    public String getVersion() {
-        return version;
+    /** Le texte lu ; {@code null} si la lecture ne l'a pas gardé. Les changements n'y sont pas. */
+    public TexteScene getTexte() {
+        return texte;
     }
 
     /**
-     * Remplace le fichier de cette scène par celui de la scène {@code deplacee}, qui en vient, et lui donne sa version.
-     * Seule la valeur des lignes {@code centre} ou {@code position} de ce qui a bougé change.
+     * Ce texte, où les clés qui diffèrent de celles de {@code avant} ont les valeurs de cette scène.
      *
-     * @throws SceneFautive si le fichier a changé depuis sa lecture
-     * @throws lancer.systeme.Echec s'il ne peut être lu ou écrit
+     * @param avant la scène que contient ce texte, à ce que d'autres ont changé près
+     * @throws SceneFautive si une section changée n'y est pas une fois
      */
-    public void remplacer(SceneLue deplacee) {
-        byte[][] ecrit = new byte[1][];
-        new Ecriture<byte[][]>(chemin.toString(), (octets, sortie) -> {
-            octets[0] = deplacer(deplacee);
-            sortie.write(octets[0]);
-        }).remplacer(ecrit);
-        try {
-            String nouvelle = version(chemin);
-            deplacee.version = Arrays.equals(ecrit[0], Files.readAllBytes(chemin)) ? nouvelle : version;
-        } catch (IOException e) {
-            // un autre programme a pu écrire entre-temps, ou effacer le fichier : sa version est à lire
-            deplacee.version = version;
+    public TexteScene ecrireDans(TexteScene present, SceneLue avant) {
+        Set<String> noms = new LinkedHashSet<>(changees.keySet());
+        noms.addAll(avant.changees.keySet());
+        TexteScene ecrit = present;
+        for (String section : noms) {
+            Map<String, String> valeurs = new LinkedHashMap<>();
+            Map<String, String> voulues = getSection(section).getValeurs();
+            Map<String, String> anciennes = avant.getSection(section).getValeurs();
+            anciennes.keySet().stream().filter(cle -> !voulues.containsKey(cle)).forEach(cle -> valeurs.put(cle, null));
+            voulues.forEach((cle, valeur) -> {
+                if (!valeur.equals(anciennes.get(cle))) {
+                    valeurs.put(cle, valeur);
+                }
+            });
+            ecrit = ecrit.avec(section, valeurs, chemin.toString());
         }
-    }
-
-    /** Les octets du fichier de cette scène, avec les places de l'autre. */
-    byte[] deplacer(SceneLue deplacee) throws IOException {
-        if (!Files.isRegularFile(chemin) || !version.equals(version(chemin))) {
-            throw new SceneFautive(SectionLue.message(chemin.toString(), 0, null, null,
-                    "le fichier a changé depuis sa lecture", "le fichier relu, puis le déplacement refait"));
-        }
-        Map<Integer, Point> places = new HashMap<>();
-        for (int k = 0; k < origines.size(); k++) {
-            Object chose = deplacee.origines.get(k).chose;
-            if (chose != origines.get(k).chose) {
-                places.put(origines.get(k).lignePlace, place(chose));
-            }
-        }
-        // un octet, un caractère : ceux que rien ne change restent les mêmes
-        String texte = new String(Files.readAllBytes(chemin), StandardCharsets.ISO_8859_1);
-        Matcher ligne = Pattern.compile(LIGNE).matcher(texte);
-        StringBuffer ecrit = new StringBuffer();
-        for (int numero = 1; ligne.find(); numero++) {
-            if (places.containsKey(numero)) {
-                ligne.appendReplacement(ecrit, "$1" + ecrire(places.get(numero)) + "$2");
-            }
-        }
-        return ligne.appendTail(ecrit).toString().getBytes(StandardCharsets.ISO_8859_1);
+        return ecrit;
     }
 }

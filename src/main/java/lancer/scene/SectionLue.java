@@ -2,7 +2,9 @@ package lancer.scene;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.StringTokenizer;
 import lancer.SceneFautive;
 import lancer.contrat.Section;
@@ -21,7 +23,7 @@ public final class SectionLue extends Section {
 
     private final String fichier;
     /** Les clés permises ou, pour une variante, les clés déjà demandées. */
-    private final List<String> connues;
+    final List<String> connues;
     private final boolean ouverte;
     private final List<Entree> entrees = new ArrayList<>(5);
 
@@ -51,6 +53,30 @@ public final class SectionLue extends Section {
         for (int k = 0; k + 1 < clesEtValeurs.length; k += 2) {
             ajouter(clesEtValeurs[k], clesEtValeurs[k + 1], 0);
         }
+    }
+
+    /** Les clés que son type lit, dans leur ordre. */
+    public List<String> getCles() {
+        return new ArrayList<>(connues);
+    }
+
+    /** Les valeurs données, par clé, comme dans le fichier. */
+    public Map<String, String> getValeurs() {
+        Map<String, String> valeurs = new LinkedHashMap<>();
+        entrees.forEach(entree -> valeurs.put(entree.cle, entree.valeur));
+        return valeurs;
+    }
+
+    /** Cette section, à la même place du fichier, où cette clé a cette valeur. */
+    SectionLue changee(String cle, String valeur) {
+        SectionLue autre = new SectionLue(fichier, nom, ligne, connues);
+        boolean donnee = entree(cle) != null;
+        entrees.forEach(entree -> autre.ajouter(entree.cle, pareilles(entree.cle, cle) ? valeur : entree.valeur,
+                entree.ligne));
+        if (!donnee) {
+            autre.ajouter(cle, valeur, ligne);
+        }
+        return autre;
     }
 
     @Override
@@ -96,7 +122,7 @@ public final class SectionLue extends Section {
     }
 
     /** Dit si ces clés sont égales, à la casse près. Le signe kelvin, de trois octets, n'est pas un K. */
-    private static boolean pareilles(String cle, String autre) {
+    static boolean pareilles(String cle, String autre) {
         return cle.equals(autre) || cle.equalsIgnoreCase(autre) && cle.getBytes(StandardCharsets.UTF_8).length
                 == autre.getBytes(StandardCharsets.UTF_8).length;
     }

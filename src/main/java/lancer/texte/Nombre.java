@@ -56,4 +56,11 @@ public final class Nombre {
         return ordinaire ? new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString()
                 : Double.toString(x).replace(".0E", "e").replace('E', 'e');
     }
+
+    /** L'écriture d'un nombre, pour être lu : 1/1024 pour l'inverse d'un entier, sauf d'une puissance de dix. */
+    public static String enFraction(double x) {
+        double inverse = 1 / x;
+        boolean fraction = inverse >= 16 && inverse < 1e7 && inverse == Math.rint(inverse) && ecrire(x).length() > 6;
+        return fraction ? "1/" + ecrire(inverse) : ecrire(x);
+    }
 }

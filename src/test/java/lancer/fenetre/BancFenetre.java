@@ -21,6 +21,7 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -40,13 +41,18 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.Main;
+import lancer.commande.Reglages;
 import lancer.essai.Essai;
+import lancer.fenetre.etat.Etat;
+import lancer.fenetre.etat.Pixel;
+import lancer.fenetre.etat.Suite;
 import lancer.image.ImageMemoire;
 
 /** Une fenêtre à l'essai, sur un vrai écran : on y frappe des touches, on y regarde, et on attend sans dormir pour rien. */
@@ -60,10 +66,10 @@ final class BancFenetre {
     final CountDownLatch fin = new CountDownLatch(1);
     final Robot robot;
     final MainLent main;
-    final Controleur controleur;
     final Fenetre fenetre;
     final JFrame cadre;
-    final PanneauImage panneau;
+    final JComponent panneau;
+    final JTextArea bandeau;
     final JTextArea resume;
     final JLabel pixel;
     final JProgressBar avancement;
@@ -84,9 +90,9 @@ final class BancFenetre {
         robot.mouseMove(ecran.width - 1, ecran.height - 1);
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
         fenetre = main.ouvrir(fin::countDown);
-        controleur = fenetre.controleur;
-        cadre = fenetre.cadre;
-        panneau = composant("image", PanneauImage.class);
+        cadre = fenetre.getCadre();
+        panneau = composant("image", JComponent.class);
+        bandeau = contenus(cadre).stream().filter(c -> "message".equals(c.getName())).map(JTextArea.class::cast).findFirst().get();
         resume = composant("resume", JTextArea.class);
         pixel = composant("pixel", JLabel.class);
         avancement = composant("avancement", JProgressBar.class);
@@ -225,21 +231,21 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !controleur.getEtat().enCours && controleur.getEtat().getImageEntiere() != null);
-        return surFilEvenements(() -> controleur.getEtat().getImageEntiere());
+        attendre("l'image est achevée", () -> !etat().enCours() && etat().getImageEntiere() != null);
+        return surFilEvenements(() -> etat().getImageEntiere());
     }
 
     /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
     void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getEtat().getImageEntiere() != null
-                && Arrays.equals(controleur.getEtat().getImageEntiere().codes, codes));
+        attendre(quoi, () -> etat().getImageEntiere() != null
+                && Arrays.equals(etat().getImageEntiere().codes, codes));
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
-        attendre(quoi + ", à l'écran", () -> controleur.getEtat().getImageEntiere() != null
-                && Ecran.trouver(codes, controleur.getEtat().getImageEntiere().largeur) != null);
+        attendre(quoi + ", à l'écran", () -> etat().getImageEntiere() != null
+                && Ecran.trouver(codes, etat().getImageEntiere().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -250,16 +256,53 @@ final class BancFenetre {
         return codes;
     }
 
+    /** L'état présent. */
+    Etat etat() {
+        return fenetre.getEtat();
+    }
+
+    /** Ce texte, où une espace insécable est une espace : {@link lancer.fenetre.vue} lie les signes à leurs mots. */
+    static String delier(String texte) {
+        return texte.replaceAll("\u00A0(?=[:;%?!»])", " ").replace("«\u00A0", "« ");
+    }
+
+    /** Ce que dit la ligne du bas. */
+    String resume() {
+        return delier(resume.getText());
+    }
+
+    void regler(Reglages voulus) {
+        fenetre.recevoir(suite -> suite.regler(voulus));
+    }
+
+    /** L'observation de ce fichier, à cette version. */
+    void observer(String fichier, String version) {
+        fenetre.recevoir(suite -> suite.voirLeFichier(fichier, version));
+    }
+
+    double reduction() {
+        return etat().ecran.loupe.getReduction(etat().getVisible().image);
+    }
+
+    /** La place de ce point de l'image, sur un écran qui a un pixel par point. */
+    Point2D placeDe(double xe, double ye) {
+        lancer.Point ou = etat().ecran.loupe.placeDe(etat().getVisible().image, xe, ye);
+        return new Point2D.Double(ou.x, ou.y);
+    }
+
+    /** Le pixel qui est au milieu du panneau. */
+    Pixel pixelVise() {
+        return etat().ecran.loupe.pixelDe(etat().getVisible().image, panneau.getWidth() / 2.0, panneau.getHeight() / 2.0);
+    }
+
     /** Le message du bandeau, vide s'il n'y en a pas. */
     String message() throws Exception {
-        JTextArea bandeau = chercher("message", JTextArea.class);
-        return surFilEvenements(() -> bandeau.isVisible() ? bandeau.getText() : "");
+        return surFilEvenements(() -> bandeau.isVisible() ? delier(bandeau.getText()) : "");
     }
 
     void attendreMessage(String debut) throws Exception {
-        JTextArea bandeau = chercher("message", JTextArea.class);
         attendre("le message « " + debut + " »", () -> debut.isEmpty() ? !bandeau.isVisible()
-                : bandeau.isVisible() && bandeau.getText().startsWith(debut));
+                : bandeau.isVisible() && delier(bandeau.getText()).startsWith(debut));
     }
 
     /** Le texte copié, vide s'il n'y en a pas. */
@@ -276,7 +319,9 @@ final class BancFenetre {
                     w.dispose();
                 }
             }
-            fenetre.fermer();
+            if (cadre.isDisplayable()) {
+                fenetre.recevoir(Suite::fermer);
+            }
         });
         if (!fin.await(patienceNs, TimeUnit.NANOSECONDS)) {
             fail("la fenêtre est fermée, et le programme ne finit pas");

@@ -113,7 +113,7 @@ abstract class EssaiFenetre {
     /** Ferme le message, qui couvre le bas de l'image. */
     void fermerLeMessage() throws Exception {
         // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
-        banc.cliquer(banc.panneau.bandeau, 5, 5);
+        banc.cliquer(banc.bandeau, 5, 5);
         banc.attendreMessage("");
     }
 

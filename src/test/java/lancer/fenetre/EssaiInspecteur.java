@@ -11,6 +11,7 @@ import java.awt.event.KeyEvent;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JTextArea;
+import javax.swing.JPanel;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultMutableTreeNode;
 import lancer.inspection.Recit.Noeud;
@@ -18,8 +19,8 @@ import lancer.inspection.Recit.Noeud;
 /** De quoi attendre, dans l'inspecteur ouvert, son pixel, son récit et son verdict. */
 abstract class EssaiInspecteur extends EssaiFenetre {
 
-    static Inspecteur inspecteur() throws Exception {
-        return chercher("pixel", Inspecteur.class);
+    static JPanel inspecteur() throws Exception {
+        return chercher("pixel", JPanel.class);
     }
 
     static void attendreTitre(int x, int y) throws Exception {
@@ -41,7 +42,7 @@ abstract class EssaiInspecteur extends EssaiFenetre {
 
     static void attendreVerdict(String debut) throws Exception {
         JTextArea verdict = composant("verdict", JTextArea.class);
-        attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
+        attendre("le verdict « " + debut + " »", () -> BancFenetre.delier(verdict.getText()).startsWith(debut));
     }
 
     /** Frappe ces touches quand l'image a le clavier. */

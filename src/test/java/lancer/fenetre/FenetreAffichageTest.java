@@ -13,7 +13,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.controleur.getEtat().getImageEntiere();
+            ImageMemoire image = banc.etat().getImageEntiere();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -46,7 +46,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         });
         banc.robot.mouseWheel(-1);
         banc.robot.mouseWheel(-1);
-        attendre("le grossissement se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels à la loupe × 4, "));
+        attendre("le grossissement se dit", () -> banc.resume().startsWith("320 × 240 pixels à la loupe × 4, "));
         attendre("le même pixel reste sous la souris", () -> banc.pixel.getText().startsWith("pixel 50, 60 : "));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseMove(coin.x + 100, coin.y + 70);
@@ -62,11 +62,11 @@ class FenetreAffichageTest extends EssaiFenetre {
         for (int k = 0; k < 6; k++) {
             banc.robot.mouseWheel(-1);
         }
-        attendre("seize au plus", () -> banc.resume.getText().startsWith("320 × 240 pixels à la loupe × 16, "));
+        attendre("seize au plus", () -> banc.resume().startsWith("320 × 240 pixels à la loupe × 16, "));
         for (int k = 0; k < 4; k++) {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.controleur.getEtat().getImageEntiere());
+        assertSame(image, banc.etat().getImageEntiere());
     }
 }

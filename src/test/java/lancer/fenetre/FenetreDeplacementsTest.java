@@ -6,7 +6,6 @@ import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Point;
@@ -16,32 +15,23 @@ import java.awt.geom.Point2D;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JOptionPane;
 import lancer.Sphere;
-import lancer.fenetre.figures.Figure;
-import lancer.scene.Surveillance;
+import lancer.fenetre.etat.Prise;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est tiré n'est jamais perdu sans être dit ou demandé, quoi qui se lise ou s'écrive pendant ce temps. */
 class FenetreDeplacementsTest extends EssaiFenetre {
 
-    private final AtomicInteger lectures = new AtomicInteger();
-
-    private void ouvrirEnComptant() throws Exception {
-        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> lectures.incrementAndGet()));
-        banc.imageAchevee();
-    }
-
     private lancer.Point centre() throws Exception {
-        return surFilEvenements(() -> ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre());
+        return surFilEvenements(() -> ((Sphere) banc.etat().demande.lue.objets.get(0)).getCentre());
     }
 
     private Point place() throws Exception {
         lancer.Point centre = centre();
         return surFilEvenements(() -> {
-            lancer.Point vue = Figure.projeter(banc.controleur.getEtat().montre.dessin.lancer.getCamera(), centre);
-            Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
+            lancer.Point vue = Prise.projeter(banc.etat().montre.dessin.lancer.getCamera(), centre);
+            Point2D ou = banc.placeDe(vue.x, vue.y);
             return new Point((int) ou.getX(), (int) ou.getY());
         });
     }
@@ -80,79 +70,16 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         return new String(Files.readAllBytes(scene), StandardCharsets.UTF_8);
     }
 
-    private void attendreEcrit() throws Exception {
-        attendre("écrit", () -> !banc.controleur.getEtat().estDeplace());
-    }
-
-    /** L'observation du fichier, tel qu'il est à présent. */
-    private void observer() throws Exception {
-        faire(() -> banc.controleur.observer(scene.toString(), version()));
-    }
-
-    private String version() {
-        return Surveillance.version(scene.toString());
-    }
-
     private void repondre(String reponse) throws Exception {
         JOptionPane question = composant(null, JOptionPane.class);
-        assertEquals("Ce qui est déplacé dans « boule.ini » n'y est pas écrit.", question.getMessage());
+        assertEquals("Ce qui est changé dans « boule.ini » n'y est pas écrit.", question.getMessage());
         faire(() -> question.setValue(reponse));
         attendre("la question est fermée", () -> !question.isShowing());
     }
 
     @Test
-    void ceQuiSeTireJusteApresCtrlEResteEtLeFichierEcritNEstNiReluNiRedessine() throws Exception {
-        ouvrirEnComptant();
-        tirer(20, 0);
-        banc.imageAchevee();
-        Travail dernier = banc.controleur.getEtat().travail;
-        banc.frapperCtrl('e');
-        attendreEcrit();
-        observer();
-        assertSame(dernier, banc.controleur.getEtat().travail, "rien ne se redessine");
-        Point de = place();
-        tirer(0, -10);
-        String avant = version();
-        banc.frapperCtrl('e');
-        saisir();
-        mener(de, 0, -30);
-        attendre("écrit pendant le geste", () -> !version().equals(avant) && version().equals(banc.controleur.getEtat().getVersion()));
-        observer();
-        mener(de, 0, -50);
-        lacher();
-        String ecrit = fichier();
-        assertTrue(centre().y > 0.5, "tiré plus haut que ce qui est écrit : " + centre());
-        assertFalse(ecrit.contains("centre=0 0.2 6"), ecrit);
-        assertEquals(1, lectures.get(), "une seule lecture, la première");
-        assertTrue(banc.cadre.getTitle().endsWith(" •"));
-        banc.frapperCtrl('e');
-        attendreEcrit();
-        assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(centre())));
-        banc.frapperCtrl('z');
-        attendre("Ctrl+Z défait aussi ce qui est écrit", () -> banc.controleur.getEtat().estDeplace());
-    }
-
-    @Test
-    void unFichierQuiRevientTelQuIlEtaitNEstPasReluEtSonMessageSEnVaAvecSaVersion() throws Exception {
-        ouvrirEnComptant();
-        tirer(20, 0);
-        lancer.Point voulu = centre();
-        Path ailleurs = dossier.resolve("ailleurs");
-        Files.move(scene, ailleurs);
-        banc.frapperCtrl('e');
-        banc.attendreMessage(scene.toString());
-        attendre("son absence se dit", () -> banc.panneau.bandeau.getText().contains("introuvable"));
-        Files.move(ailleurs, scene);
-        attendre("le message s'en va", () -> !banc.panneau.bandeau.getText().contains(scene.toString()));
-        assertEquals(voulu, centre(), "et ce qui était tiré reste");
-        banc.frapperCtrl('e');
-        attendreEcrit();
-        assertEquals(2, lectures.get(), "la première, et celle qui n'a rien trouvé");
-    }
-
-    @Test
     void ouvrirUneAutreSceneOuQuitterDemandeCeQuiEstAFaireDeCeQuiEstTire() throws Exception {
-        ouvrirEnComptant();
+        ouvrir();
         Path autre = dossier.resolve("autre.ini");
         Files.write(autre, BLEUE.getBytes(StandardCharsets.UTF_8));
         tirer(20, 0);
@@ -166,12 +93,12 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         repondre("Écrire");
         attendre("l'autre est ouverte", () -> banc.cadre.getTitle().equals("lancer — autre.ini"));
         assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(voulu)), fichier());
-        attendre("et dessinée", () -> !banc.controleur.getEtat().montreUneAutre());
+        attendre("et dessinée", () -> !banc.etat().montreUneAutre());
         banc.imageAchevee();
         String ecrit = fichier();
         banc.frapperCtrl('o');
         choisir(scene);
-        attendre("rien n'y est tiré, rien n'est demandé", () -> !banc.controleur.getEtat().montreUneAutre()
+        attendre("rien n'y est tiré, rien n'est demandé", () -> !banc.etat().montreUneAutre()
                 && banc.cadre.getTitle().equals("lancer — boule.ini"));
         banc.imageAchevee();
         tirer(20, 0);
@@ -182,26 +109,9 @@ class FenetreDeplacementsTest extends EssaiFenetre {
     }
 
     @Test
-    void ceQuiEstTireGardeLeNomDeSaSceneQuandUneAutreEstFautive() throws Exception {
-        ouvrirEnComptant();
-        tirer(20, 0);
-        Path autre = dossier.resolve("autre.ini");
-        Files.write(autre, FAUTIVE.getBytes(StandardCharsets.UTF_8));
-        banc.frapperCtrl('o');
-        choisir(autre);
-        repondre("Oublier");
-        banc.attendreMessage(autre.toString());
-        assertEquals("lancer — autre.ini (boule.ini •)", banc.cadre.getTitle());
-        banc.frapperCtrl('e');
-        attendreEcrit();
-        assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(centre())));
-        assertEquals(FAUTIVE, new String(Files.readAllBytes(autre), StandardCharsets.UTF_8));
-    }
-
-    @Test
     void echapRemetCeQuiEstTireUnClicDroitNonEtCeQuiNeBougePasGardeSesDecimales() throws Exception {
         ecrire(ROUGE.replace("0 0.2 6", "0 0.123456789 6"));
-        ouvrirEnComptant();
+        ouvrir();
         lancer.Point avant = centre();
         Point de = place();
         saisir();
@@ -211,8 +121,8 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         mener(de, 60, 0);
         assertEquals(60, place().x - de.x, 1, "le clic droit ne lâche rien");
         assertEquals(0.123456789, centre().y);
-        assertFalse(banc.panneau.bandeau.isVisible(), "le bas de l'image se voit");
-        assertTrue(banc.resume.getText().startsWith("[Sphere 1] ligne 1 : centre="), banc.resume.getText());
+        assertFalse(banc.bandeau.isVisible(), "le bas de l'image se voit");
+        assertTrue(banc.resume().startsWith("[Sphere 1] ligne 1 : centre="), banc.resume());
         banc.robot.keyRelease(KeyEvent.VK_SHIFT);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il revient", () -> centreIci().equals(avant));
@@ -223,6 +133,6 @@ class FenetreDeplacementsTest extends EssaiFenetre {
     }
 
     private lancer.Point centreIci() {
-        return ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre();
+        return ((Sphere) banc.etat().demande.lue.objets.get(0)).getCentre();
     }
 }

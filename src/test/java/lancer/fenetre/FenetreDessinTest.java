@@ -40,8 +40,8 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
-        assertTrue(banc.controleur.getEtat().enCours);
-        assertNull(banc.controleur.getEtat().getImageEntiere());
+        assertTrue(banc.etat().enCours());
+        assertNull(banc.etat().getImageEntiere());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -76,11 +76,11 @@ class FenetreDessinTest extends EssaiFenetre {
         });
         banc.imageAchevee();
         int[] avant = attendue(L, H);
-        attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
+        attendre("le coût se dit", () -> banc.resume().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.controleur.getEtat().enCours && banc.main.getDessin() != null);
+        attendre("le dessin suivant a commencé", () -> banc.etat().enCours() && banc.main.getDessin() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
-        assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
+        assertFalse(banc.resume().contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         suite.countDown();
         banc.attendreImage("elle la remplace", avant);
     }
@@ -88,16 +88,16 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void echapArreteEtF5Recommence() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est fait", () -> banc.main.brouillonFait());
+        attendre("le brouillon est montré", () -> banc.resume().startsWith("dessin "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.getEtat().enCours);
-        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin "));
+        attendre("le dessin est arrêté", () -> !banc.etat().enCours());
+        assertTrue(banc.resume().startsWith("dessin "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.controleur.getEtat().getImageEntiere());
+        assertNull(banc.etat().getImageEntiere());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
-        attendre("le coût remplace l'avancement", () -> banc.resume.getText().startsWith("320 × 240 pixels, "));
+        attendre("le coût remplace l'avancement", () -> banc.resume().startsWith("320 × 240 pixels, "));
     }
 
     @Test
@@ -139,12 +139,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }));
         attendre("le dessin a commencé", () -> banc.main.getDessin() != null);
         repondA(50);
-        assertTrue(banc.controleur.getEtat().enCours, "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.etat().enCours(), "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
+        attendre("la lecture se dit", () -> banc.resume().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.controleur.getEtat().enCours);
+        attendre("arrêté", () -> !banc.etat().enCours());
         repondA(50);
         assertEquals(1, suite.getCount(), "la lecture n'a pas eu à finir pour cela");
         suite.countDown();
@@ -171,9 +171,9 @@ class FenetreDessinTest extends EssaiFenetre {
         }));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la part lue", () -> banc.resume.getText().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
+        attendre("la part lue", () -> banc.resume().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
         suivis[0].accept(0.73);
-        attendre("elle avance", () -> banc.resume.getText().startsWith("lecture 73 % — "));
+        attendre("elle avance", () -> banc.resume().startsWith("lecture 73 % — "));
         suite.countDown();
         banc.imageAchevee();
     }
@@ -190,10 +190,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
         banc.frapperCtrl('O');
         choisir(longue);
-        attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
+        attendre("elle se lit", () -> banc.resume().startsWith("lecture "));
         attendre("le titre est le sien", () -> banc.cadre.getTitle().equals("lancer — longue.ini"));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> !banc.controleur.getEtat().enCours);
+        attendre("la lecture est arrêtée", () -> !banc.etat().enCours());
         inspecter();
         suite.countDown();
         banc.frapper(KeyEvent.VK_F5);
@@ -234,17 +234,17 @@ class FenetreDessinTest extends EssaiFenetre {
         PreparationRetenue programme = new PreparationRetenue();
         banc = new BancFenetre(programme);
         banc.imageAchevee();
-        String avant = surFilEvenements(banc.resume::getText);
+        String avant = banc.resume();
         programme.retenue = true;
         banc.frapperCtrl('O');
         choisir(longue);
-        attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
+        attendre("elle se prépare", () -> banc.resume().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> !banc.controleur.getEtat().enCours);
+        attendre("la préparation est arrêtée", () -> !banc.etat().enCours());
         inspecter();
         suite.countDown();
         assertEquals("lancer — longue.ini", banc.cadre.getTitle());
-        assertEquals(avant, surFilEvenements(banc.resume::getText));
+        assertEquals(avant, banc.resume());
     }
 
     @Test
@@ -254,9 +254,9 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("il se prépare", () -> banc.resume.getText().startsWith("préparation "));
-        assertNull(surFilEvenements(() -> banc.controleur.getEtat().travail.dessin));
-        assertEquals(0, surFilEvenements(() -> banc.controleur.getEtat().travail.getAvancement()));
+        attendre("il se prépare", () -> banc.resume().startsWith("préparation "));
+        assertNull(banc.main.getDessin());
+        assertEquals(0, surFilEvenements(() -> banc.etat().travail.getAvancement()));
         programme.retenue = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("le suivant se fait", attendue("--reflets=10"));

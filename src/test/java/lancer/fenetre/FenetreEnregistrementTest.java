@@ -96,10 +96,10 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         BufferedImage lue = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         lue.createGraphics().drawImage(copie, 0, 0, null);
         assertArrayEquals(attendue(L, H), BancFenetre.codes(lue));
-        int[] codes = surFilEvenements(() -> banc.controleur.getEtat().getImageEntiere()).codes;
+        int[] codes = surFilEvenements(() -> banc.etat().getImageEntiere()).codes;
         banc.frapper(KeyEvent.VK_F5);
-        attendre("un autre dessin ne se fait pas dans l'image copiée", () -> banc.controleur.getEtat().getImageEntiere() != null
-                && banc.controleur.getEtat().getImageEntiere().codes != codes);
+        attendre("un autre dessin ne se fait pas dans l'image copiée", () -> banc.etat().getImageEntiere() != null
+                && banc.etat().getImageEntiere().codes != codes);
     }
 
     /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JTextArea;
+import javax.swing.JPanel;
 import javax.swing.JTree;
 import lancer.Couleur;
 import lancer.PointContact;
@@ -65,7 +66,8 @@ class FenetreFautesTest extends EssaiInspecteur {
                 + scene + " : java.lang.IllegalStateException: boum (");
         assertTrue(banc.message().contains("FenetreFautesTest.java:"), banc.message());
         banc.frapperCtrl('s');
-        attendre("elle ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : " + dits));
+        attendre("elle ne s'enregistre pas",
+                () -> BancFenetre.delier(banc.bandeau.getText()).contains("\nImage non enregistrée : " + dits));
         assertTrue(banc.message().startsWith(dits + " pixels"), "la faute se lit toujours : " + banc.message());
         // le bandeau cache le bas de l'image
         fermerLeMessage();
@@ -93,24 +95,24 @@ class FenetreFautesTest extends EssaiInspecteur {
                 return super.getNormale(contact);
             }
         })));
-        attendre("le brouillon est montré, et l'image retenue", () -> banc.panneau.montree != null && retenus.get() > 1);
+        attendre("le brouillon est montré, et l'image retenue", () -> banc.etat().montre.dessin != null && retenus.get() > 1);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.getEtat().enCours);
-        assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
+        attendre("Échap l'arrête", () -> !banc.etat().enCours());
+        assertTrue(Arrays.stream(banc.etat().montre.dessin.image.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);
         int[] codes = banc.imageAchevee().codes.clone();
         banc.attendreMessage("");
         suite.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getEtat().getImageEntiere()).codes);
+        assertArrayEquals(codes, surFilEvenements(() -> banc.etat().getImageEntiere()).codes);
     }
 
     @Test
     void apresUneFauteEnregistreeLInspecteurRepondPourLImageQuiResteEtF3Aussi() throws Exception {
         int[] codes = ouvrir().codes;
         cliquer(150, 100);
-        Inspecteur inspecteur = composant("pixel", Inspecteur.class);
+        JPanel inspecteur = composant("pixel", JPanel.class);
         JTree recit = composant("recit", JTree.class);
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le pixel", () -> lu(recit).endsWith(couleur(codes[100 * L + 150])));
@@ -126,8 +128,8 @@ class FenetreFautesTest extends EssaiInspecteur {
                 && lu(recit).endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        attendre("F3 essaie l'image montrée", () -> etat.getText().matches("(mesure en cours : [1-9]|La souris).*"));
-        assertFalse(surFilEvenements(() -> banc.controleur.getEtat().enCours));
-        assertEquals(codes, surFilEvenements(() -> banc.controleur.getEtat().getImageEntiere()).codes);
+        attendre("F3 essaie l'image montrée", () -> BancFenetre.delier(etat.getText()).matches("(mesure en cours : [1-9]|La souris).*"));
+        assertFalse(surFilEvenements(() -> banc.etat().enCours()));
+        assertEquals(codes, surFilEvenements(() -> banc.etat().getImageEntiere()).codes);
     }
 }

@@ -35,11 +35,11 @@ class FenetreFichiersTest extends EssaiFenetre {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage(scene + " : fichier introuvable ; attendu : un fichier de scène");
-        assertSame(image, banc.controleur.getEtat().getImageEntiere());
+        assertSame(image, banc.etat().getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.getEtat().getImageEntiere() != null
-                && banc.controleur.getEtat().getImageEntiere() != image);
+        attendre("relue", () -> banc.etat().getImageEntiere() != null
+                && banc.etat().getImageEntiere() != image);
     }
 
     @Test
@@ -59,7 +59,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.main.lent = true;
         ecrire(BLEUE);
         banc.attendreMessage("");
-        assertArrayEquals(avant, banc.panneau.montree.codes, "elle n'est pas encore dessinée");
+        assertArrayEquals(avant, banc.etat().montre.dessin.image.codes, "elle n'est pas encore dessinée");
         banc.main.lent = false;
         suite.countDown();
         banc.attendreImage("l'image suit", attendue(L, H));
@@ -91,7 +91,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
         assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        attendre("F5 la relit", () -> !banc.controleur.getEtat().enCours);
+        attendre("F5 la relit", () -> !banc.etat().enCours());
         banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
         banc.attendreMessage("");
@@ -122,7 +122,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         ecrire(BLEUE);
-        attendre("la faute ne se lit plus", () -> !banc.panneau.bandeau.getText().contains("rayon"));
+        attendre("la faute ne se lit plus", () -> !banc.bandeau.getText().contains("rayon"));
         banc.attendreCodes("corrigée, elle est dessinée", attendue(L, H));
     }
 

@@ -18,6 +18,7 @@ import java.nio.file.Files;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import lancer.image.ImageMemoire;
+import javax.swing.JPanel;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -34,17 +35,17 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> Ecran.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.controleur.getEtat().getImageEntiere().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.controleur.getEtat().getImageEntiere();
+        assertArrayEquals(codes, banc.etat().getImageEntiere().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.etat().getImageEntiere();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.getEtat().enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.etat().enCours() && banc.etat().montre.dessin.image != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.getEtat().enCours);
+        attendre("le dessin est arrêté", () -> !banc.etat().enCours());
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
-        Inspecteur ouvert = inspecteur();
+        JPanel ouvert = inspecteur();
         presser(KeyEvent.VK_ESCAPE);
         attendre("l'inspecteur se ferme", () -> !ouvert.isShowing());
         banc.frapper(KeyEvent.VK_F5);
@@ -57,11 +58,10 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
         presser(KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
-        PanneauImage image = banc.panneau;
-        for (int k = 0; k < 4; k++) {
+                for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction() == 16);
+        attendre("la loupe est au plus fort", () -> banc.reduction() == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -70,11 +70,10 @@ class FenetreFiguresTest extends EssaiInspecteur {
     }
 
     private void attendreEnVue(int x, int y) throws Exception {
-        PanneauImage image = banc.panneau;
-        attendreTitre(x, y);
+                attendreTitre(x, y);
         // autour du milieu, la moitié de ce que la loupe laisse voir
-        attendre("il est en vue", () -> Math.abs(image.getPixelVise().x - x) <= image.getWidth() / 32
-                && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
+        attendre("il est en vue", () -> Math.abs(banc.pixelVise().x - x) <= banc.panneau.getWidth() / 32
+                && Math.abs(banc.pixelVise().y - y) <= banc.panneau.getHeight() / 32);
     }
 
     @AfterEach
@@ -104,13 +103,15 @@ class FenetreFiguresTest extends EssaiInspecteur {
             return voir(attendue, coin);
         });
         cliquer(robot, coin);
-        attendre("l'anneau", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
+        // la souris compte en points, de deux pixels : le pixel visé est le premier des siens
+        Point vise = new Point(150 - coin.x % 2, 110 - coin.y % 2);
+        attendre("l'anneau", () -> estEntoure(robot, coin.x + vise.x + 0.5, coin.y + vise.y + 0.5));
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         attendre("l'image est grossie huit fois, et le milieu du pixel reste où il est",
-                () -> estGrossie(robot, attendue, coin.x + 150, coin.y + 110));
-        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
+                () -> estGrossie(robot, attendue, coin, vise));
+        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + vise.x + 0.5, coin.y + vise.y + 0.5));
         attendre("Ctrl+Q termine le programme", () -> {
             robot.keyPress(KeyEvent.VK_CONTROL);
             robot.keyPress(KeyEvent.VK_Q);
@@ -157,16 +158,16 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     /**
      * Vrai si l'on voit, hors de l'anneau et des traits, les pixels des environs huit fois plus grands, à un pixel de l'écran près,
-     * celui du clic autour de ce point.
+     * le pixel visé à sa place.
      */
-    private static boolean estGrossie(Robot robot, int[] attendue, int x, int y) {
-        BufferedImage vue = robot.createScreenCapture(new Rectangle(x - 100, y - 100, 200, 200));
+    private static boolean estGrossie(Robot robot, int[] attendue, Point coin, Point vise) {
+        BufferedImage vue = robot.createScreenCapture(new Rectangle(coin.x + vise.x - 100, coin.y + vise.y - 100, 200, 200));
         int vus = 0;
         int cherches = 0;
         for (int dx = -11; dx <= 11; dx++) {
             for (int dy = -11; dy <= 11; dy++) {
                 if (Math.hypot(dx, dy) > 4) {
-                    int code = attendue[(110 + dy) * L + 150 + dx];
+                    int code = attendue[(vise.y + dy) * L + vise.x + dx];
                     cherches++;
                     // presque aux deux coins opposés de son carré
                     vus += vue.getRGB(97 + 8 * dx, 97 + 8 * dy) == code && vue.getRGB(103 + 8 * dx, 103 + 8 * dy) == code ? 1 : 0;

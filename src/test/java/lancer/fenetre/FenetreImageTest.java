@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
@@ -15,6 +16,7 @@ import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JTree;
+import lancer.fenetre.etat.Pixel;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,8 +39,8 @@ class FenetreImageTest extends EssaiFenetre {
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(L / 4, H / 8));
         Color milieu = new Color(image.codes[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
-        attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
-        assertSame(image, banc.controleur.getEtat().getImageEntiere(), "rien n'est redessiné");
+        attendre("la réduction se dit", () -> banc.resume().startsWith("320 × 240 pixels montrés à 50 %, "));
+        assertSame(image, banc.etat().getImageEntiere(), "rien n'est redessiné");
     }
 
     @Test
@@ -49,7 +51,7 @@ class FenetreImageTest extends EssaiFenetre {
         double reduction = Math.min(banc.panneau.getWidth() / 2000.0, banc.panneau.getHeight() / 1500.0);
         assertTrue(reduction < 1, "l'écran du test est trop grand");
         String debut = "2000 × 1500 pixels montrés à " + (int) (100 * reduction) + " %, ";
-        attendre("la réduction se dit", () -> banc.resume.getText().startsWith(debut));
+        attendre("la réduction se dit", () -> banc.resume().startsWith(debut));
         Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
         attendre("le pixel dit est celui de l'image dessinée", () -> {
             banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2 + 1, coin.y + banc.panneau.getHeight() / 2);
@@ -67,9 +69,9 @@ class FenetreImageTest extends EssaiFenetre {
         for (int grossi = 1; grossi <= 16; grossi *= 2) {
             int voulu = grossi;
             banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
-            attendre("× " + voulu, () -> banc.panneau.getReduction() == voulu);
+            attendre("× " + voulu, () -> banc.reduction() == voulu);
             BufferedImage vue = peinte();
-            Point milieu = banc.panneau.getPixelVise();
+            Pixel milieu = banc.pixelVise();
             assertEquals(image.codes[milieu.y * image.largeur + milieu.x],
                     vue.getRGB(vue.getWidth() / 2, vue.getHeight() / 2), "× " + grossi);
             int gris = banc.panneau.getBackground().getRGB();
@@ -78,7 +80,7 @@ class FenetreImageTest extends EssaiFenetre {
         for (int cran = 5; cran > 0; cran--) {
             banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_DOWN);
         }
-        attendre("de nouveau réduite", () -> banc.panneau.getReduction() < 1);
+        attendre("de nouveau réduite", () -> banc.reduction() < 1);
     }
 
     @ParameterizedTest
@@ -88,19 +90,20 @@ class FenetreImageTest extends EssaiFenetre {
         ImageMemoire image = banc.imageAchevee();
         banc.robot.mouseMove(0, 0);
         Rectangle cadre = surFilEvenements(banc.cadre::getBounds);
-        assertTrue(Dialogues.ecran().contains(cadre), cadre + " tient dans l'écran");
+        assertTrue(GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds().contains(cadre),
+                cadre + " tient dans l'écran");
         banc.frapper(KeyEvent.VK_ENTER);
         JTree recit = BancFenetre.composant("recit", JTree.class);
         attendre("le récit dit le pixel", () -> EssaiInspecteur.lu(recit).startsWith("pixel "));
         boolean reduite = image.codes.length > 1;
-        attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
+        attendre("et le résumé si elle est réduite", () -> banc.resume().contains("montrés à ") == reduite);
     }
 
     @Test
     void lesReglagesSeLisentEtLaSectionLaisseeDeCoteFaitUnAvis() throws Exception {
         ecrire(ROUGE + "[Brume dense]\n");
         banc = new BancFenetre(lente("--reflets=1"));
-        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion"));
+        attendre("le résumé les dit", () -> banc.resume().matches("320 × 240 pixels, .* s, 1 réflexion"));
         assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
     }
 
@@ -118,7 +121,7 @@ class FenetreImageTest extends EssaiFenetre {
             return banc.pixel.getText().startsWith(debut);
         });
         String cout = "320 × 240 pixels, \\d+(\u00A0\\d{3})* rayons en \\d+,\\d\\d s, 5 réflexions";
-        attendre("le coût se dit", () -> banc.resume.getText().matches(cout));
+        attendre("le coût se dit", () -> banc.resume().matches(cout));
         banc.frapper(KeyEvent.VK_F5);
         attendre("la seconde image se compte aussi", () -> texte(banc.sortie).split("\n").length == 20);
         String dit = texte(banc.sortie);
@@ -145,7 +148,7 @@ class FenetreImageTest extends EssaiFenetre {
         });
         attendre("le bas n'a pas encore de couleur", () -> {
             survoler(10, H - 10);
-            return banc.pixel.getText().isEmpty();
+            return banc.pixel.getText().trim().isEmpty();
         });
         suite.countDown();
         attendre("le bas du brouillon se dit", () -> banc.pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));

@@ -7,7 +7,6 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.MouseInfo;
@@ -15,11 +14,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import javax.swing.JSplitPane;
@@ -36,6 +31,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Option;
 import lancer.essai.Essai;
+import lancer.fenetre.etat.Onglet;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -92,7 +88,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         presser(KeyEvent.VK_D);
         for (int largeur : new int[] {0, 120, -200}) {
             faire(() -> {
-                JSplitPane partage = (JSplitPane) SwingUtilities.getAncestorOfClass(Onglets.class, recit);
+                JSplitPane partage = (JSplitPane) SwingUtilities.getAncestorOfClass(javax.swing.JTabbedPane.class, recit).getParent();
                 partage.setDividerLocation(partage.getDividerLocation() - largeur);
                 partage.validate();
             });
@@ -104,34 +100,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
                 return place.x + place.width <= recit.getVisibleRect().width && ligne.getPreferredSize().height <= place.height;
             }));
         }
-    }
-
-    @Test
-    void unReglageDePlusNePublieQueTroisEtatsEtNExpliqueLePixelQuUneFois() throws Exception {
-        ouvrir();
-        cliquer(150, 100);
-        attendreVerdict("Au bit près");
-        JTree recit = composant("recit", JTree.class);
-        List<Etat> publies = new ArrayList<>();
-        AtomicInteger expliques = new AtomicInteger();
-        faire(() -> {
-            banc.controleur.prevenir(publies::add);
-            recit.addPropertyChangeListener(JTree.TREE_MODEL_PROPERTY, e -> expliques.incrementAndGet());
-        });
-        banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> {
-            Etat etat = banc.controleur.getEtat();
-            return !etat.enCours && etat.montre.entier && etat.montre.dessin.demande.reglages.get(Option.REFLETS) == 10;
-        });
-        attendreVerdict("Au bit près");
-        attendre("expliqué", () -> expliques.get() > 0);
-        banc.robot.waitForIdle();
-        assertEquals(1, expliques.get());
-        faire(banc.controleur::ajuster);
-        assertEquals(3, publies.size(), "demandé, brouillon, achevé ; et rien pour une taille qui ne change pas");
-        assertEquals(3, new HashSet<>(publies).size());
-        assertSame(publies.get(0).demande.getScene().getModele(),
-                publies.get(2).montre.dessin.demande.getScene().getModele(), "un seul modèle");
     }
 
     @Test
@@ -179,10 +147,10 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.getEtat().enCours
-                && banc.controleur.getEtat().montre.dessin.demande.reglages.get(Option.REFLETS) == 2);
+        attendre("deux réflexions", () -> banc.etat().enCours()
+                && banc.etat().montre.dessin.demande.reglages.get(Option.REFLETS) == 2);
         attendreVerdict("L'image n'est pas achevée");
-        assertTrue(surFilEvenements(() -> banc.controleur.getEtat().enCours));
+        assertTrue(surFilEvenements(() -> banc.etat().enCours()));
         banc.main.lent = false;
         int[] bleue = attendue("--reflets=2");
         banc.attendreCodes("la nouvelle image", bleue);
@@ -266,11 +234,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreVerdict("Au bit près");
         JTabbedPane onglets = composant("panneau", JTabbedPane.class);
-        faire(() -> onglets.setSelectedIndex(Onglets.REGLAGES));
+        faire(() -> onglets.setSelectedIndex(Onglet.REGLAGES.ordinal()));
         banc.attendreImage("sans figure", codes);
         banc.frapper(KeyEvent.VK_RIGHT);
         banc.robot.waitForIdle();
-        faire(() -> onglets.setSelectedIndex(Onglets.PIXEL));
+        faire(() -> onglets.setSelectedIndex(Onglet.PIXEL.ordinal()));
         attendreTitre(150, 110);
         attendre("la figure revient", () -> Ecran.trouver(codes, L) == null);
     }

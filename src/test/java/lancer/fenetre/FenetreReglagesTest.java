@@ -24,7 +24,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         ouvrir();
         banc.frapper(KeyEvent.VK_SUBTRACT);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        attendre("elles se disent", () -> banc.resume.getText().contains("2 réflexions"));
+        attendre("elles se disent", () -> banc.resume().contains("2 réflexions"));
         for (int k = 0; k < 5; k++) {
             banc.frapper(KeyEvent.VK_SUBTRACT);
         }
@@ -32,7 +32,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.controleur.getEtat().enCours);
+        attendre("la relecture s'achève", () -> !banc.etat().enCours());
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
@@ -45,8 +45,8 @@ class FenetreReglagesTest extends EssaiFenetre {
         JTextField seuil = composant("seuil des reflets", JTextField.class);
         assertEquals("40", surFilEvenements(reflexions::getText));
         assertEquals("0.01", surFilEvenements(seuil::getText));
-        Reglages presents = banc.controleur.getEtat().demande.reglages;
-        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 0.25)));
+        Reglages presents = banc.etat().demande.reglages;
+        faire(() -> banc.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
         faire(() -> {
@@ -72,15 +72,15 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        assertEquals(1000, surFilEvenements(() -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS)), "− était un signe");
+        assertEquals(1000, surFilEvenements(() -> banc.etat().demande.reglages.get(Option.REFLETS)), "− était un signe");
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == 10
-                && !banc.controleur.getEtat().enCours);
+        attendre("dix réflexions", () -> banc.etat().demande.reglages.get(Option.REFLETS) == 10
+                && !banc.etat().enCours());
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

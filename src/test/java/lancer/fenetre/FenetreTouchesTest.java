@@ -23,6 +23,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
+import javax.swing.JPanel;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.commande.Etape;
@@ -43,12 +44,12 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     private void attendreEtape(String quoi, Etape etape) throws Exception {
-        attendre(quoi, () -> banc.controleur.getEtat().demande.reglages.get(Option.ETAPE) == etape && !banc.controleur.getEtat().enCours);
+        attendre(quoi, () -> banc.etat().demande.reglages.get(Option.ETAPE) == etape && !banc.etat().enCours());
     }
 
     private void attendreReflets(String quoi, int reflets) throws Exception {
-        attendre(quoi, () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets
-                && !banc.controleur.getEtat().enCours);
+        attendre(quoi, () -> banc.etat().demande.reglages.get(Option.REFLETS) == reflets
+                && !banc.etat().enCours());
     }
 
     @Test
@@ -120,9 +121,9 @@ class FenetreTouchesTest extends EssaiInspecteur {
         attendreEtape("la première étape", Etape.LAMBERT);
         attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
         banc.robot.keyPress(KeyEvent.VK_SPACE);
-        attendre("l'image d'avant", () -> banc.panneau.tenue != null);
+        attendre("l'image d'avant", () -> banc.etat().tenue);
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
-        attendre("puis celle-ci", () -> banc.panneau.tenue == null);
+        attendre("puis celle-ci", () -> !banc.etat().tenue);
     }
 
     @Test
@@ -140,9 +141,9 @@ class FenetreTouchesTest extends EssaiInspecteur {
         for (int touche : new int[] {KeyEvent.VK_1, KeyEvent.VK_E, KeyEvent.VK_MINUS, KeyEvent.VK_3, KeyEvent.VK_ENTER}) {
             banc.frapper(touche);
         }
-        attendre("le seuil est celui de l'image", () -> banc.controleur.getEtat().demande.reglages.get(Option.SEUIL) == 0.001);
-        assertEquals(5, banc.controleur.getEtat().demande.reglages.get(Option.REFLETS));
-        assertFalse(surFilEvenements(BancFenetre.chercher("pixel", Inspecteur.class)::isShowing), "Entrée n'a pas ouvert l'onglet Pixel");
+        attendre("le seuil est celui de l'image", () -> banc.etat().demande.reglages.get(Option.SEUIL) == 0.001);
+        assertEquals(5, banc.etat().demande.reglages.get(Option.REFLETS));
+        assertFalse(surFilEvenements(BancFenetre.chercher("pixel", JPanel.class)::isShowing), "Entrée n'a pas ouvert l'onglet Pixel");
     }
 
     @Test
@@ -156,7 +157,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
             for (Component article : banc.cadre.getJMenuBar().getMenu(menu).getMenuComponents()) {
                 String nom = article instanceof JMenuItem ? ((JMenuItem) article).getText() : "";
                 assertTrue(!(article instanceof JMenuItem) || article.isEnabled()
-                        == nom.matches("Ouvrir une scène…|Quitter|Remplir la fenêtre"), nom);
+                        == nom.matches("Ouvrir une scène…|Quitter|Remplir la fenêtre|Textes .*"), nom);
             }
         }
         for (int touche : new int[] {KeyEvent.VK_ESCAPE, KeyEvent.VK_F5, KeyEvent.VK_F2, KeyEvent.VK_F6, KeyEvent.VK_ADD,

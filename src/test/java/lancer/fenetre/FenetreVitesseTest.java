@@ -15,7 +15,7 @@ import java.util.Arrays;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import lancer.commande.Option;
-import lancer.fenetre.figures.GraphiqueVitesse;
+import lancer.fenetre.vue.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
 /** « Vitesse ou précision » : des points, dont chacun est un réglage dessiné, mesuré, et montré d'un clic. */
@@ -60,9 +60,9 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendre("le point se dit", () -> {
             Point coin = graphique.getLocationOnScreen();
             banc.robot.mouseMove(coin.x + ou.x + 3 + tremble++ % 2, coin.y + ou.y);
-            return etat.getText().contains(" --reflets ");
+            return BancFenetre.delier(etat.getText()).contains(" réflexion");
         });
-        return surFilEvenements(() -> etat.getText().replaceFirst("[^\n]*\n", ""));
+        return surFilEvenements(() -> BancFenetre.delier(etat.getText()).replaceFirst("[^\n]*\n", ""));
     }
 
     @Test
@@ -70,9 +70,9 @@ class FenetreVitesseTest extends EssaiFenetre {
         ouvrirLePanneau("--reflets=7");
         attendreLaFin();
         String dit = viserLePlusRapide();
-        assertTrue(dit.matches("(?s)un rayon par pixel, --reflets \\d+ --seuil 0\\.0009765625 : \\d,\\d{3} s \\(de \\d,\\d{3} à "
+        assertTrue(dit.matches("(?s)un rayon par pixel, \\d+ réflexions? : \\d,\\d{3} s \\(de \\d,\\d{3} à "
                 + "\\d,\\d{3}\\), erreur de \\d+,\\d\\d ± \\d+,\\d\\d niveaux"), dit);
-        int reflets = Integer.parseInt(dit.replaceFirst(".* --reflets (\\d+) .*", "$1"));
+        int reflets = Integer.parseInt(dit.replaceFirst(".*, (\\d+) réflexion.*", "$1"));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         banc.attendreCodes("son image", BancFenetre.pixelsSansFenetre(dossier, scene, LARGEUR, HAUTEUR, "--reflets=" + reflets));
@@ -87,10 +87,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         String avant = viserLePlusRapide();
         banc.main.lent = true;
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("le texte le dit", () -> etat.getText().startsWith("Les mesures reprendront après ce dessin."));
+        attendre("le texte le dit", () -> BancFenetre.delier(etat.getText()).startsWith("Les mesures reprendront après ce dessin."));
         assertEquals(avant, viserLePlusRapide(), "ils restent");
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.getEtat().enCours);
+        attendre("Échap l'arrête", () -> !banc.etat().enCours());
         assertEquals(avant, viserLePlusRapide(), "après Échap aussi");
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_ADD);
@@ -110,18 +110,18 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JTextArea.class);
-        attendre("les dessins se comptent", () -> etat.getText().matches("mesure en cours : [2-9] dessins sur \\d+"));
+        attendre("les dessins se comptent", () -> BancFenetre.delier(etat.getText()).matches("mesure en cours : [2-9] dessins sur \\d+"));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap arrête", () -> etat.getText().matches("arrêtée : \\d+ réglages? mesurés? ; F3 reprend"));
+        attendre("Échap arrête", () -> BancFenetre.delier(etat.getText()).matches("arrêtée : \\d+ réglages? mesurés? ; F3 reprend"));
         assertTrue(surFilEvenements(graphique::isShowing), "et le panneau reste");
         banc.frapper(KeyEvent.VK_RIGHT);
-        attendre("une flèche désigne un point", () -> etat.getText().contains("--reflets "));
+        attendre("une flèche désigne un point", () -> BancFenetre.delier(etat.getText()).contains(" réflexion"));
         banc.frapper(KeyEvent.VK_F3);
-        attendre("F3 reprend", () -> etat.getText().startsWith("mesure en cours : "));
+        attendre("F3 reprend", () -> BancFenetre.delier(etat.getText()).startsWith("mesure en cours : "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        int reflets = surFilEvenements(() -> Integer.parseInt(etat.getText().replaceFirst("(?s).* --reflets (\\d+) .*", "$1")));
+        int reflets = surFilEvenements(() -> Integer.parseInt(etat.getText().replaceFirst("(?s).*, (\\d+) réflexion.*", "$1")));
         banc.frapper(KeyEvent.VK_ENTER);
-        attendre("Entrée le prend", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets);
+        attendre("Entrée le prend", () -> banc.etat().demande.reglages.get(Option.REFLETS) == reflets);
     }
 
     @Test

@@ -59,7 +59,7 @@ class MainLent implements Programme {
     @Override
     public SceneLue lire(String fichier, DoubleConsumer suivi) {
         avantLecture.accept(fichier, suivi);
-        SceneLue lue = LecteurScene.lire(fichier, suivi);
+        SceneLue lue = LecteurScene.lireEtGarder(fichier, suivi);
         apresLecture.accept(lue);
         return lue;
     }

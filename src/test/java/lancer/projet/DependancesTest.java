@@ -75,7 +75,7 @@ class DependancesTest {
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*",
                 COURS + "lancer\\.contrat\\..*|lancer\\.fils\\.Atelier|lancer\\.commande\\.(Reglages|Option|Etape)");
-        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.(Dessin|Rapport)|fenetre\\.PanneauVitesse).*";
+        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.(Dessin|Rapport)|fenetre\\.).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
 

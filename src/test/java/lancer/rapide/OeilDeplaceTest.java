@@ -14,7 +14,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
 import lancer.essai.Ressources;
-import lancer.fenetre.figures.Figure;
+import lancer.fenetre.etat.Prise;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -114,7 +114,7 @@ class OeilDeplaceTest {
             Rayon rayon = camera.getRayon(xe, ye);
             double loin = 30 * hasard.nextDouble();
             Point p = rayon.getP().add(loin, rayon.getV());
-            Point vu = Figure.projeter(camera, p);
+            Point vu = Prise.projeter(camera, p);
             assertEquals(xe, vu.x, 1e-9);
             assertEquals(ye, vu.y, 1e-9);
             // un pixel plus loin sur l'écran, et autant de fois plus loin que le point l'est de l'œil

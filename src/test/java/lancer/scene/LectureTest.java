@@ -30,7 +30,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
-import lancer.fenetre.figures.Figure;
+import lancer.fenetre.etat.Prise;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -254,7 +254,7 @@ class LectureTest {
         assertEquals(new Point(1, 2, 3), camera.getOeil());
         assertEquals(0, camera.getRayon(40, 30).getV().sub(new Vecteur(3, -1, -6).normalized()).norme(), 1e-15);
         assertEquals(0, camera.getRayon(0, 30).getV().dot(camera.getRayon(80, 30).getV()), 1e-15);
-        Point cible = Figure.projeter(camera, new Point(4, 1, -3));
+        Point cible = Prise.projeter(camera, new Point(4, 1, -3));
         assertEquals(40, cible.x, 1e-12);
         assertEquals(30, cible.y, 1e-12);
     }

@@ -3,16 +3,13 @@ package lancer.scene;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lancer.Lampe;
 import lancer.Point;
@@ -52,7 +49,15 @@ class PlacesEcritesTest {
 
     private SceneLue lire(byte[] octets) throws IOException {
         Files.write(fichier, octets);
-        return LecteurScene.lire(fichier.toString(), part -> { });
+        return LecteurScene.lireEtGarder(fichier.toString(), part -> { });
+    }
+
+    private static SceneLue avec(SceneLue lue, Object chose, Point place) {
+        return lue.avec(lue.getNomDeSection(chose), chose instanceof Lampe ? "position" : "centre", SceneLue.ecrire(place));
+    }
+
+    private static byte[] ecrits(SceneLue lue, SceneLue voulue) {
+        return voulue.ecrireDans(lue.getTexte(), lue).getOctets();
     }
 
     private static void verifier(byte[] attendus, byte[] ecrits) {
@@ -67,11 +72,10 @@ class PlacesEcritesTest {
             for (String bout : new String[] {"", fin, fin + fin, " " + fin, fin + "; fin"}) {
                 String modele = debut + SCENE.replace("\n", fin) + bout;
                 SceneLue lue = lire(scene(modele, "0 0.2 6", "-4 6 -3", "1  1\t7"));
-                SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
-                verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), lue.deplacer(voulue));
-                voulue = voulue.avec(lue.objets.get(1), new Point(1e-7, -2, .5))
-                        .avec(lue.objets.get(0), new Point(0.25, 0.2, 6));
-                byte[] ecrits = lue.deplacer(voulue);
+                SceneLue voulue = avec(lue, lue.lampes.get(0), new Point(3, 3, 0));
+                verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), ecrits(lue, voulue));
+                voulue = avec(avec(voulue, lue.objets.get(1), new Point(1e-7, -2, .5)), lue.objets.get(0), new Point(0.25, 0.2, 6));
+                byte[] ecrits = ecrits(lue, voulue);
                 verifier(scene(modele, "0.25 0.2 6", "3 3 0", SceneLue.ecrire(new Point(1e-7, -2, .5))), ecrits);
                 SceneLue relue = lire(ecrits);
                 assertEquals(new Point(0.25, 0.2, 6), ((Sphere) relue.objets.get(0)).getCentre());
@@ -85,9 +89,8 @@ class PlacesEcritesTest {
     void lesFinsDeLigneMeleesRestentMelees() throws IOException {
         String modele = "\n\r\n\r[Sphere 1]\r\r\ncentre=@1\rrayon=1\n[Lampe 1]\r\nposition=@2\r\ncouleur=1 1 1";
         SceneLue lue = lire(scene(modele, "0 0 6", "1 2 3"));
-        SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(4, 5, 6))
-                .avec(lue.objets.get(0), new Point(1, 0, 6));
-        verifier(scene(modele, "1 0 6", "4 5 6"), lue.deplacer(voulue));
+        SceneLue voulue = avec(avec(lue, lue.lampes.get(0), new Point(4, 5, 6)), lue.objets.get(0), new Point(1, 0, 6));
+        verifier(scene(modele, "1 0 6", "4 5 6"), ecrits(lue, voulue));
     }
 
     static Stream<Path> scenes() throws IOException {
@@ -106,12 +109,12 @@ class PlacesEcritesTest {
     void uneSceneDeplaceePuisRemiseEstCelleDAvant(Path scene) throws IOException {
         byte[] avant = Files.readAllBytes(scene);
         SceneLue lue = lire(avant);
-        verifier(avant, lue.deplacer(lue));
+        verifier(avant, ecrits(lue, lue));
         for (int rang = 0; rang < choses(lue).size(); rang += 1 + choses(lue).size() / 10) {
             Object chose = choses(lue).get(rang);
             if (chose instanceof Lampe || chose.getClass() == Sphere.class) {
                 Point place = new Point(1, 2, 3);
-                byte[] ecrits = lue.deplacer(lue.avec(chose, place));
+                byte[] ecrits = ecrits(lue, avec(lue, chose, place));
                 Object deplacee = choses(lire(ecrits)).get(rang);
                 assertEquals(place, SceneLue.place(deplacee));
                 lue = lire(avant);
@@ -123,7 +126,7 @@ class PlacesEcritesTest {
     void uneBouleDeplaceeGardeSonRayonEtSaMatiere() throws IOException {
         SceneLue lue = lire(scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7"));
         Sphere boule = (Sphere) lue.objets.get(0);
-        SceneLue voulue = lue.avec(boule, new Point(1, 2, 3));
+        SceneLue voulue = avec(lue, boule, new Point(1, 2, 3));
         Sphere deplacee = (Sphere) voulue.objets.get(0);
         assertEquals(new Point(1, 2, 3), deplacee.getCentre());
         assertEquals(boule.getRayon(), deplacee.getRayon());
@@ -133,22 +136,67 @@ class PlacesEcritesTest {
         assertEquals(new Point(0, 0.2, 6), boule.getCentre(), "celle d'avant reste à sa place");
     }
 
-    @Test
-    void unFichierQuiAChangeDepuisSaLectureNEstPasTouche() throws IOException {
-        byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
-        SceneLue lue = lire(avant);
-        SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
-        // la même taille : seule la date le dit
-        byte[] change = scene(SCENE, "0 0.3 6", "-4 6 -3", "1 1 7");
-        Files.write(fichier, change);
-        Files.setLastModifiedTime(fichier, FileTime.from(1, TimeUnit.HOURS));
-        String faute = assertThrows(SceneFautive.class, () -> lue.deplacer(voulue)).getMessage();
-        assertTrue(faute.matches("\\Q" + fichier + "\\E : le fichier a changé depuis sa lecture ; attendu : .+"), faute);
-        assertArrayEquals(change, Files.readAllBytes(fichier));
+    private static final String BOULE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\n";
 
+    private String fichier() throws IOException {
+        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void uneCleChangeeSEcritDansLeFichierQueDAutresOntChange() throws IOException {
+        SceneLue lue = lire(scene(BOULE));
+        SceneLue voulue = lue.avec("Sphere 1", "rayon", "2");
+        Files.write(fichier, scene("; neuf\n[Lampe 1]\nposition=0 0 0\ncouleur=1 1 1\n\n" + BOULE.replace("0.2", "0.3")));
+        EcritureScene.remplacer(voulue, lue, lue.getTexte());
+        assertEquals("; neuf\n[Lampe 1]\nposition=0 0 0\ncouleur=1 1 1\n\n[Sphere 1]\ncentre=0 0.3 6\nrayon=2\n", fichier());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"[Lampe 1]\nposition=0 0 0\ncouleur=1 1 1\n", "[Sphere 1]\ncentre=0 0 0\nrayon=-1\n",
+        "[Sphere 1]\ncentre=0 0 0\nrayon=1\n[sphere  1]\ncentre=1 0 0\nrayon=1\n", "rien"})
+    void unFichierQuiNEstPlusUneSceneOuPlusLaMemeNEstPasTouche(String change) throws IOException {
+        SceneLue lue = lire(scene(BOULE));
+        SceneLue voulue = lue.avec("Sphere 1", "rayon", "2");
+        Files.write(fichier, scene(change));
+        assertThrows(SceneFautive.class, () -> EcritureScene.remplacer(voulue, lue, lue.getTexte()));
+        assertEquals(change, fichier());
         Files.delete(fichier);
-        assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
+        assertThrows(SceneFautive.class, () -> EcritureScene.remplacer(voulue, lue, lue.getTexte()));
         Files.createDirectory(fichier);
-        assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
+        assertThrows(SceneFautive.class, () -> EcritureScene.remplacer(voulue, lue, lue.getTexte()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\n", "\r\n", ""})
+    void uneCleAbsenteSAjouteASaSectionEtSEnOte(String fin) throws IOException {
+        String avant = "; a\r\n[Sphere 1]\r\ncentre=0 0 6\r\n; b\r\nrayon=1" + fin;
+        SceneLue lue = lire(scene(avant));
+        SceneLue voulue = lue.avec("Sphere 1", "ns", "40");
+        EcritureScene.remplacer(voulue, lue, lue.getTexte());
+        String debut = avant.substring(0, avant.length() - fin.length());
+        assertEquals(debut + (fin.isEmpty() ? "\r\n" : fin) + "ns=40" + fin, fichier());
+        assertEquals(40, lire(Files.readAllBytes(fichier)).objets.get(0).getNs());
+        TexteScene present = new TexteScene(Files.readAllBytes(fichier));
+        EcritureScene.remplacer(lue, voulue, present);
+        assertEquals(debut + (fin.isEmpty() ? "\r\n" : fin), fichier());
+    }
+
+    @Test
+    void uneValeurImpossibleEstRefuseeCommeALaLecture() throws IOException {
+        SceneLue lue = lire(scene(BOULE));
+        String faute = assertThrows(SceneFautive.class, () -> lue.avec("Sphere 1", "rayon", "-1")).getMessage();
+        Files.write(fichier, scene(BOULE.replace("rayon=1", "rayon=-1")));
+        assertEquals(assertThrows(SceneFautive.class, () -> LecteurScene.lire(fichier.toString(), p -> { })).getMessage(), faute);
+        assertThrows(SceneFautive.class, () -> lue.avec("Sphere 1", "Kd", "1 1 2"));
+        assertThrows(SceneFautive.class, () -> lue.avec("Sphere 1", "Ks", "1 1 1").avec("Sphere 1", "Kr", "1 1 1"));
+    }
+
+    @Test
+    void kSGardeLeNomQueLuiDonneLeFichier() throws IOException {
+        SceneLue lue = lire(scene(BOULE + "Kr = .5 .5 .5\n"));
+        SceneLue voulue = lue.avec("Sphere 1", "Kr", "1 1 1");
+        EcritureScene.remplacer(voulue, lue, lue.getTexte());
+        assertEquals(BOULE + "Kr = 1 1 1\n", fichier());
+        assertEquals(1, voulue.objets.get(0).getKs().r);
     }
 }

@@ -1,6 +1,7 @@
 package lancer.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -59,11 +60,11 @@ class SurveillanceTest {
     }
 
     @Test
-    void uneAutreDateOuUneAutreTailleSontUneAutreVersion() throws Exception {
+    void uneAutreDateNEstPasUneAutreVersionEtDAutresOctetsEnSontUne() throws Exception {
         Set<String> versions = new HashSet<>();
         assertTrue(versions.add(attendre(fichier)));
         ecrire("un", 2);
-        assertTrue(versions.add(attendre(fichier)), "une autre date");
+        assertFalse(versions.add(attendre(fichier)), "une autre date, et les mêmes octets");
         ecrire("trois", 2);
         assertTrue(versions.add(attendre(fichier)), "une autre taille");
     }

@@ -18,7 +18,7 @@ import lancer.commande.Option;
 import lancer.contrat.Section;
 import lancer.commande.Reglages;
 import lancer.contrat.Variante;
-import lancer.fenetre.figures.GraphiqueVitesse;
+import lancer.fenetre.vue.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et celui du centre est expliqué. */
@@ -59,7 +59,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         GraphiqueVitesse graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        String debut = "[Antialias] n=2 methode=partage seuil=0.15, --reflets 1000 --seuil 0.0078125 : ";
+        String debut = "[Antialias] n=2 methode=partage seuil=0.15, 1000 réflexions, seuil 1/128 : ";
         // les points bougent tant que les mesures durent : rien ne se passe entre la visée et le clic
         attendre("la deuxième", () -> {
             Point ou = viser(graphique, etat, debut);
@@ -69,7 +69,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
             }
             return ou != null;
         });
-        attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.0078125, [Antialias] n=2 "));
+        attendre("son image", () -> banc.resume().contains(", 1000 réflexions, seuil 1/128, [Antialias] n=2 "));
         ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.15\n");
         assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, 100, 75, "--reflets=1000", "--seuil=0.0078125"),
                 banc.imageAchevee().codes);
@@ -81,7 +81,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
             for (int y = 0; y < graphique.getHeight(); y += 4) {
                 if (graphique.sous(new Point(x, y)) != null) {
                     graphique.dispatchEvent(new MouseEvent(graphique, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false));
-                    if (etat.getText().contains("\n" + debut)) {
+                    if (BancFenetre.delier(etat.getText()).contains("\n" + debut)) {
                         return new Point(x, y);
                     }
                 }
@@ -94,19 +94,19 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
         banc = new BancFenetre("--taille=800x600", scene.toString());
         banc.imageAchevee();
-        Reglages presents = banc.controleur.getEtat().demande.reglages;
+        Reglages presents = banc.etat().demande.reglages;
         Variante antialias = presents.getEssayee();
         Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias,
+        faire(() -> banc.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias,
                 section)));
-        attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
-        attendre("à sa taille", () -> banc.panneau.getReduction() == 1);
+        attendre("l'image", () -> banc.resume().contains(", 1000 réflexions, seuil 1/256, [Antialias] n=8 "));
+        attendre("à sa taille", () -> banc.reduction() == 1);
     }
 
     @Test
     void unEchecDUneClasseDuCoursEstSitueDansLeCoursEtNonDansLAnticrenelage() throws Exception {
         banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.get(0).setKd(null)));
-        attendre("l'échec se dit", () -> banc.panneau.bandeau.getText().contains(" pixels n'ont pu être calculés"));
+        attendre("l'échec se dit", () -> banc.bandeau.getText().contains(" pixels n'ont pu être calculés"));
         assertTrue(banc.message().contains(" (lancer.Objet3D.getColor, Objet3D.java:"), banc.message());
     }
 }

@@ -58,12 +58,12 @@ class FenetreVariantesTest extends EssaiFenetre {
         int[] sans = sansFenetre(ROUGE, "--sans=brume");
         ouvrir();
         banc.attendreImage("avec la brume", avec);
-        attendre("elle se dit", () -> banc.resume.getText().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
+        attendre("elle se dit", () -> banc.resume().endsWith(", 5 réflexions, [Brume] debut=0 fin=30"));
         JSlider densite = glissiere("Brume.densite");
         JCheckBox boite = composant("Brume", JCheckBox.class);
         faire(boite::doClick);
         banc.attendreImage("sans elle", sans);
-        attendre("elle ne se dit plus", () -> !banc.resume.getText().contains("Brume"));
+        attendre("elle ne se dit plus", () -> !banc.resume().contains("Brume"));
         assertFalse(surFilEvenements(() -> boite.isSelected() || densite.isEnabled()));
         faire(boite::doClick);
         banc.attendreImage("de nouveau avec", avec);
@@ -84,7 +84,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("l'image suit", attendue);
         assertArrayEquals(avant.getBytes("UTF-8"), Files.readAllBytes(scene));
-        attendre("le résumé aussi", () -> banc.resume.getText().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
+        attendre("le résumé aussi", () -> banc.resume().contains("[Brume du matin] couleur=0.9 0.8 0.7 debut=2 densite=0.095"));
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie donne la section et la commande", () -> {
             String copie = BancFenetre.copie();
@@ -109,10 +109,10 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            Reglages reglages = banc.controleur.getEtat().demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
-            banc.controleur.regler(reglages.avecVariante(reglages.getVariantes().iterator().next(), brume));
+            Reglages reglages = banc.etat().demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
+            banc.regler(reglages.avecVariante(reglages.getVariantes().iterator().next(), brume));
         });
-        attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
+        attendre("les réglages se disent", () -> banc.resume().contains(dit));
         int[] vue = banc.imageAchevee().codes.clone();
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie", () -> BancFenetre.copie().startsWith(debut));
@@ -156,7 +156,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().codes;
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.controleur.getEtat().enCours);
+        attendre("fin est réglée", () -> !banc.etat().enCours());
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         JSlider debut = composant("Brume.debut", JSlider.class);
@@ -173,10 +173,10 @@ class FenetreVariantesTest extends EssaiFenetre {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics g = image.createGraphics();
         // le message couvre le bas ; seule l'image nous importe
-        banc.panneau.bandeau.setVisible(false);
+        banc.bandeau.setVisible(false);
         g.translate(-(banc.panneau.getWidth() - L) / 2, -(banc.panneau.getHeight() - H) / 2);
         banc.panneau.paint(g);
-        banc.panneau.bandeau.setVisible(true);
+        banc.bandeau.setVisible(true);
         return image;
     }
 
@@ -192,12 +192,12 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
-        attendre("celle d'avant, et ses réglages", () -> Arrays.equals(avec, banc.panneau.getVisible().codes)
-                && banc.resume.getText().matches("avant : .*\\[Brume].*"));
-        attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons en .* s, .*, \\[Brume] .*"));
+        attendre("celle d'avant, et ses réglages", () -> Arrays.equals(avec, banc.etat().getVisible().image.codes)
+                && banc.resume().matches("avant : .*\\[Brume].*"));
+        attendre("ses réglages et son coût", () -> banc.resume().matches(".* rayons en .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> Ecran.trouver(sans, L) != null);
-        attendre("et les siens", () -> !banc.resume.getText().contains("Brume"));
+        attendre("et les siens", () -> !banc.resume().contains("Brume"));
     }
 
     @Test
@@ -213,7 +213,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         }
         taper(couleur, "1 0.2 0");
         attendre("elle s'écrit", () -> {
-            Reglages reglages = banc.controleur.getEtat().demande.reglages;
+            Reglages reglages = banc.etat().demande.reglages;
             return reglages.getSection(reglages.getVariantes().iterator().next()).ecrire(" ").endsWith("couleur=1 0.2 0");
         });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));

@@ -1,0 +1,79 @@
+package lancer.fenetre.vue;
+
+import java.awt.Font;
+import java.awt.Toolkit;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.IntUnaryOperator;
+import javax.swing.UIDefaults;
+import javax.swing.UIManager;
+import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.InputMapUIResource;
+
+/** L'apparence des fenêtres : FlatLaf, sombre si le bureau l'est, ou l'apparence de Java si FlatLaf est absent. */
+public final class Apparence {
+
+    /** La taille ordinaire des textes, et celle de chaque sorte. */
+    private static int ordinaire;
+    private static final Map<Object, Float> ordinaires = new HashMap<>();
+
+    private Apparence() {
+    }
+
+    /**
+     * À appeler avant de créer le premier composant.
+     *
+     * @param police rend la taille des textes qui est voulue, d'après l'ordinaire
+     * @return cette taille, en points
+     * @throws Error sans polices, ou sans fontconfig
+     */
+    public static int preparer(IntUnaryOperator police) {
+        new Font(Font.DIALOG, Font.PLAIN, 1).canDisplay('a');
+        // sinon, FlatLaf chercherait une bibliothèque du système, absente de l'archive
+        System.setProperty("flatlaf.useNativeLibrary", "false");
+        UIManager.put("swing.boldMetal", false);
+        UIManager.put("MenuItem.acceleratorDelimiter", "+");
+        // les flèches et Ctrl servent à l'image, et non à changer d'onglet ou à déplacer un trait
+        UIManager.put("TabbedPane.ancestorInputMap", new InputMapUIResource());
+        UIManager.put("SplitPane.ancestorInputMap", new InputMapUIResource());
+        // certaines versions de Java n'ont pas en français les textes des dialogues
+        UIManager.getDefaults().addResourceBundle("lancer.fenetre.dialogues");
+        try {
+            UIManager.setLookAndFeel("com.formdev.flatlaf." + (estSombre() ? "FlatDarkLaf" : "FlatLightLaf"));
+        } catch (ReflectiveOperationException | UnsupportedLookAndFeelException | LinkageError e) {
+            // l'apparence de Java est déjà en place
+        }
+        ordinaire = UIManager.getFont("Label.font").getSize();
+        int voulue = police.applyAsInt(ordinaire);
+        if (voulue != ordinaire) {
+            donnerAuxTextes(voulue);
+        }
+        return voulue;
+    }
+
+    /** La taille ordinaire des textes, en points. */
+    static int getOrdinaire() {
+        return ordinaire;
+    }
+
+    /** Donne cette taille, en points, aux textes de tous les composants à venir. */
+    static void donnerAuxTextes(int taille) {
+        UIDefaults defauts = UIManager.getLookAndFeelDefaults();
+        for (Object cle : new ArrayList<>(defauts.keySet())) {
+            Font police = cle.toString().endsWith("ont") ? defauts.getFont(cle) : null;
+            if (police != null) {
+                float sienne = ordinaires.computeIfAbsent(cle, k -> police.getSize2D());
+                UIManager.put(cle, new FontUIResource(police.deriveFont(taille * sienne / ordinaire)));
+            }
+        }
+    }
+
+    /** Dit si le bureau a un thème sombre, quand Java le sait. */
+    private static boolean estSombre() {
+        Object theme = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");
+        return theme != null && theme.toString().toLowerCase(Locale.ROOT).contains("dark");
+    }
+}

@@ -1,0 +1,94 @@
+package lancer.fenetre.vue;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import lancer.fenetre.etat.Etat;
+import lancer.fenetre.etat.Pixel;
+import lancer.image.ImageMemoire;
+
+/** Le bas de la fenêtre : l'avancement, le pixel sous la souris, un résumé de l'image, la légende d'une vue. */
+@SuppressWarnings("serial")
+final class BarreEtat extends JPanel implements Vue {
+
+    private static final int MARGE = 6;
+    private static final int FILET = 3;
+    private static final int POUR_MILLE = 1000;
+    private static final int LIGNES_MAX = 3;
+    /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
+    private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
+    /** Un long résumé, à ses réglages près. */
+    private static final String RESUME = "9999 × 9999 pixels, 99 999 999 rayons en 99,99 s, ";
+
+    private final JLabel pixel = new JLabel(" ");
+    private final Etiquette resume = new Etiquette("resume");
+    private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
+    private final JLabel pastille = new JLabel("    ");
+    private final Legende legende = new Legende();
+
+    /** @param premier le premier état : son image donne sa largeur à la barre, ses réglages leur longueur au résumé */
+    BarreEtat(Etat premier) {
+        super(new BorderLayout(0, MARGE / 2));
+        setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE / 2, MARGE));
+        pixel.setName("pixel");
+        int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
+        // la hauteur de la barre ne change pas : l'image ne bouge pas quand un résumé est long
+        int place = Math.max(largeur(PIXEL), premier.ecran.loupe.largeur - 2 * MARGE);
+        resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / place));
+        avancement.setName("avancement");
+        avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
+        avancement.setBorderPainted(false);
+        avancement.setPreferredSize(new Dimension(FILET, FILET));
+        // le pixel a sa ligne, quelle que soit la longueur du résumé
+        JPanel haut = new JPanel(new BorderLayout(0, MARGE / 2));
+        haut.add(avancement, BorderLayout.PAGE_START);
+        haut.add(pixel, BorderLayout.LINE_START);
+        haut.add(legende, BorderLayout.CENTER);
+        haut.add(pastille, BorderLayout.LINE_END);
+        add(haut, BorderLayout.PAGE_START);
+        add(resume, BorderLayout.CENTER);
+    }
+
+    private int largeur(String texte) {
+        return getFontMetrics(resume.getFont()).stringWidth(texte);
+    }
+
+    /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image. */
+    @Override
+    public void montrer(Etat etat) {
+        String texte = etat.getResume();
+        avancement.setValue(etat.enCours() ? (int) (POUR_MILLE * etat.travail.getAvancement()) : 0);
+        avancement.getAccessibleContext().setAccessibleDescription(texte);
+        resume.setText(texte);
+        resume.setToolTipText(texte);
+        legende.montrer(etat);
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension voulue = super.getPreferredSize();
+        int ligne = getFontMetrics(resume.getFont()).getHeight();
+        return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE, voulue.height - resume.getPreferredSize().height + resume.getRows() * ligne);
+    }
+
+    /** Dit la couleur d'un pixel. @param ou {@code null} pour aucun */
+    void montrerLePixel(Pixel ou, Etat etat) {
+        pastille.setOpaque(ou != null);
+        String texte = " ";
+        if (ou != null) {
+            ImageMemoire image = etat.getVisible().image;
+            int k = ou.y * image.largeur + ou.x;
+            Color c = new Color(image.codes[k]);
+            pastille.setBackground(c);
+            texte = String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+                    etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
+                    c.getBlue(), image.dire(k));
+        }
+        pixel.setText(texte);
+        pastille.repaint();
+    }
+}

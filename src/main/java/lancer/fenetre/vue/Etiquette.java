@@ -1,0 +1,51 @@
+package lancer.fenetre.vue;
+
+import java.awt.Cursor;
+import javax.swing.BorderFactory;
+import javax.swing.JTextArea;
+
+/** Un texte de plusieurs lignes, qui se lit sans se changer. Aucune ne commence par un signe de ponctuation. */
+@SuppressWarnings("serial")
+class Etiquette extends JTextArea {
+
+    private static final int COLONNES = 40;
+
+    Etiquette(String nom) {
+        setName(nom);
+        getAccessibleContext().setAccessibleName(nom);
+        setEditable(false);
+        setFocusable(false);
+        setOpaque(false);
+        setLineWrap(true);
+        setWrapStyleWord(true);
+        setCursor(Cursor.getDefaultCursor());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        // aligné sur les autres textes
+        setBorder(BorderFactory.createEmptyBorder());
+    }
+
+    /** Celle-ci, de ce texte, pour un dialogue. */
+    Etiquette dire(String texte) {
+        setColumns(COLONNES);
+        setText(texte);
+        setSize(getPreferredSize().width, Short.MAX_VALUE);
+        return this;
+    }
+
+    @Override
+    public void setText(String texte) {
+        String lie = lier(texte);
+        if (!lie.equals(getText())) {
+            super.setText(lie);
+        }
+    }
+
+    /** Le même texte, où une espace qui précède un signe, ou un guillemet, est insécable. */
+    static String lier(String texte) {
+        return texte.replaceAll(" (?=[:;%?!»])", "\u00A0").replace("« ", "«\u00A0");
+    }
+}

@@ -1,0 +1,116 @@
+package lancer.fenetre.etat;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import lancer.scene.Surveillance;
+import org.junit.jupiter.api.Test;
+
+/** Mille suites d'événements tirés au hasard : ce qui est vrai après chacun, quel que soit le moment. */
+class SuitesAuHasardTest extends EssaiSuite {
+
+    private static final int SUITES = 1000;
+    private static final int LONGUEUR = 25;
+
+    private final SplittableRandom hasard = new SplittableRandom(77);
+    /** Vrai si F5, ou une réponse, a voulu oublier ce qui n'est pas écrit. */
+    private boolean oublie;
+
+    private final List<Suite.Evenement> gestes = Arrays.asList(suite -> suite.saisir(16, 11, 2), suite -> suite.tirer(18, 12),
+            Suite::lacher, suite -> suite.changer("Sphere 1", "ns", "" + hasard.nextInt(50), hasard.nextInt(2) == 0),
+            suite -> suite.changer("Sphere 1", "rayon", "-1", false), Suite::ecrire, Suite::defaire, Suite::echapper,
+            suite -> suite.reflechir(true), suite -> suite.reflechir(false), suite -> suite.tenir(true),
+            suite -> suite.montrer(Onglet.REGLAGES), Suite::mesurer, suite -> suite.expliquer(new Pixel(16, 11)),
+            suite -> suite.aller(1, 0), suite -> suite.grossir(true, 3, 3), Suite::remplir, suite -> suite.placer(40, 30),
+            suite -> suite.voir("normales"), suite -> suite.voir(null), Suite::fermerLeMessage, Suite::demanderOuEcrire);
+
+    private void unPas(List<String> fichiers) throws IOException {
+        int tirage = hasard.nextInt(30);
+        Etat avant = etat;
+        if (etat.question != null) {
+            repondreALaQuestion(tirage);
+        } else if (tirage < 18) {
+            arrive(gestes.get(hasard.nextInt(gestes.size())));
+        } else if (tirage < 24 && !attendus.isEmpty()) {
+            List<Integer> numeros = new ArrayList<>(attendus.keySet());
+            attendus.remove(numeros.get(hasard.nextInt(numeros.size()))).run();
+        } else if (tirage < 26) {
+            fichier(fichiers.get(hasard.nextInt(2)), hasard.nextInt(5) == 0 ? "fautif" : ROUGE.replace("40", "" + hasard.nextInt(99)));
+        } else if (tirage < 28) {
+            fichiers.forEach(nom -> observer(dossier.resolve(nom)));
+        } else if (tirage == 28) {
+            oublie = true;
+            arrive(Suite::relire);
+        } else {
+            arrive(suite -> suite.ouvrir(dossier.resolve(fichiers.get(hasard.nextInt(2))).toString()));
+        }
+        verifier(avant);
+    }
+
+    private void repondreALaQuestion(int tirage) {
+        boolean sous = journal.stream().reduce((a, b) -> b.matches("(demander|proposer) .*") ? b : a).get().startsWith("proposer");
+        if (sous) {
+            arrive(tirage < 15 ? Suite::rester : suite -> suite.ecrireSous(dossier.resolve("sous.ini").toString()));
+        } else if (tirage < 10) {
+            oublie = true;
+            arrive(Suite::oublier);
+        } else {
+            arrive(tirage < 20 ? Suite::rester : Suite::accepterDEcrire);
+        }
+    }
+
+    private void verifier(Etat avant) {
+        if (etat.demande == null) {
+            return;
+        }
+        if (avant.estDeplace() && !etat.estDeplace()) {
+            boolean defait = etat.demande.lue == avant.ecrite.lue;
+            boolean ecrit = avant.getOccupation() != null && avant.getOccupation().equals("écriture");
+            assertTrue(defait || ecrit || oublie, "perdu sans question : " + journal);
+        }
+        oublie &= etat.seLit() || etat.estDeplace() || etat.ecriture != null;
+        assertTrue(etat.montre.dessin == null || !etat.montre.entier || etat.enCours()
+                || etat.montreUneAutre() || etat.montre.dessin.demande.equals(etat.demande) || etat.travail.progres.fin
+                != Travail.Progres.Fin.ACHEVE, "l'image est celle qui est demandée");
+        assertTrue(etat.getOccupation() == null || etat.geste == null, "rien ne se tire pendant une lecture");
+        assertTrue(!etat.seLit() || etat.ecriture == null, "rien ne s'écrit pendant une lecture");
+        // aucun ordre pour rien : le même état n'en donne pas
+        int ordres = journal.size();
+        Etat present = etat;
+        arrive(suite -> { });
+        assertEquals(ordres, journal.size(), journal.toString());
+        assertTrue(present == etat, "sans événement, le même état");
+    }
+
+    @Test
+    void rienNeSePerdSansEtreDemandeEtLeTitreLImageEtLeFichierSAccordent() throws IOException {
+        for (int suite = 0; suite < SUITES; suite++) {
+            List<String> fichiers = Arrays.asList("boule.ini", "autre.ini");
+            for (String nom : fichiers) {
+                fichier(nom, ROUGE);
+            }
+            etat = Etat.vide(32, 24, 12);
+            attendus.clear();
+            oublie = false;
+            montrerLaBoule();
+            for (int pas = 0; pas < LONGUEUR; pas++) {
+                unPas(fichiers);
+            }
+            if (etat.question != null) {
+                arrive(Suite::rester);
+            }
+            executer();
+            observer(Paths.get(etat.source.fichier));
+            executer();
+            if (!etat.estDeplace() && etat.travail.progres.fin == Travail.Progres.Fin.ACHEVE && etat.question == null) {
+                assertEquals(Surveillance.version(etat.source.fichier), etat.source.version, "au repos, le fichier est lu");
+            }
+        }
+    }
+}
