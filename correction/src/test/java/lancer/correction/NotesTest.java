@@ -184,14 +184,17 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void leCodageDUneFeuilleEstCeluiQueDisentSesTitresOuElleEstRefusee() throws IOException {
-        String lignes = "Participant 7001,é,,\"20\u00A0,00\",-,à voir\nParticipant 7002,ç,5,\"20,00\",-,très soigné ; ça marche\n";
+        String cases = "Participant 7002,ç,5,\"20,00\",-,très soigné ; ça marche";
+        String lignes = "Participant 7001,é,,\"20\u00A0,00\",-,à voir\n" + cases + "\n";
         for (String codage : List.of("windows-1252", "x-MacRoman", "IBM850")) {
+            // Excel finit ainsi les lignes d'un « CSV (Macintosh) »
+            String fin = codage.equals("x-MacRoman") ? "\r" : "\n";
             Path feuille = dossier.resolve("codee.csv");
             Files.write(feuille, ("Identifiant,Nom complet,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n" + lignes)
-                    .getBytes(codage));
+                    .replace("\n", fin).getBytes(codage));
             assertEquals(0, renoter("--notes", feuille).code, codage);
             String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), codage);
-            contient(ecrit, "Participant 7002,ç,5,\"20,00\",-,très soigné ; ça marche\n", "à voir", "étape atteinte, « ");
+            contient(ecrit, fin + cases + fin, "à voir", "étape atteinte, « ");
             Files.write(feuille, (TITRES + lignes).getBytes(codage));
             Essai anglaise = renoter("--notes", feuille);
             assertEquals(codage.equals("windows-1252") ? 0 : 2, anglaise.code, anglaise.erreur);

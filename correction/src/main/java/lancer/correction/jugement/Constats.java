@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Faute;
 import lancer.correction.depot.Projet;
@@ -14,10 +15,10 @@ import lancer.correction.modele.SourcesDuCours;
 final class Constats {
 
     /** Ce qu'un rendu ne trouve pas ici, et les noms qui le demandent. */
-    private static final Map<String, List<String>> DEHORS = Map.of(
+    private static final Map<String, List<String>> DEHORS = new TreeMap<>(Map.of(
             "ouvre une fenêtre (%s) : la correction n'a pas d'écran", List.of("JOptionPane", "JFrame", "JDialog", "JFileChooser"),
             "lit le clavier ou un fichier (%s) : la correction n'a ni l'un, ni ceux que le rendu joint", List.of("Scanner", "Files",
-                    "BufferedReader", "FileReader", "FileInputStream", "getResource", "getResourceAsStream"));
+                    "BufferedReader", "FileReader", "FileInputStream", "getResource", "getResourceAsStream")));
 
     private final JugeRendu juge;
     private final Projet projet;
@@ -69,6 +70,11 @@ final class Constats {
                 resultat.regarder(String.format(quoi, classes));
             }
         });
+        String scenes = juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> projet.texte(c).contains(".ini\""))
+                .collect(Collectors.joining(", "));
+        if (!scenes.isEmpty()) {
+            resultat.regarder("ouvre une scène par son nom (" + scenes + ") : la correction donne la sienne");
+        }
         String enFloat = String.join(", ", emploient("float"));
         if (!enFloat.isEmpty()) {
             String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
