@@ -66,7 +66,7 @@ class CheminTest {
 
     @Test
     void deMainAuPixelIlYAUneDouzaineDAppelsEtLaPageLesNomme(@TempDir Path dossier) throws IOException, InterruptedException {
-        List<String> chemin = duMainAuPixel("--image", dossier.resolve("i.png").toString(), "--taille", "1000x1000", "scenes/scene1.ini");
+        List<String> chemin = duMainAuPixel("--image", dossier.resolve("i.png").toString(), "--taille", "400x400", "scenes/scene1.ini");
         assertEquals("lancer.Main.main", chemin.get(0), chemin.toString());
         assertEquals(RAYON, chemin.get(chemin.size() - 1), chemin.toString());
         assertTrue(chemin.size() <= AU_PLUS, chemin.size() + " appels : " + chemin);
