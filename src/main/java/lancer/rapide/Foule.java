@@ -54,7 +54,7 @@ final class Foule implements Recherche {
     }
 
     @Override
-    public Recherche pourUnFil(Compteurs autres) {
-        return new Foule(preparation, autres);
+    public Recherche pourUnFil(Compteurs compteursDuFil) {
+        return new Foule(preparation, compteursDuFil);
     }
 }

@@ -81,8 +81,9 @@ final class PointDeVue {
     }
 
     /**
-     * L'erreur de l'ordre des enveloppes, pour un rayon qui part de P : celle du tri, en part de la distance de P à ce
-     * point, et trois écarts, car une enveloppe à moins de deux écarts est rangée comme si elle contenait le point.
+     * De combien l'ordre des enveloppes peut être faux pour un rayon qui part de P : l'arrondi du tri, en part de la
+     * distance de P à ce point, et trois écarts, car une enveloppe à moins de deux écarts est rangée comme si elle
+     * contenait le point.
      */
     double erreur(Point p) {
         double avance = Math.sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) + (p.z - z) * (p.z - z));

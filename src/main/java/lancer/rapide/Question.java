@@ -77,9 +77,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     }
 
     /** Recommence, pour ce rayon. @param rang celui de l'objet de départ, −1 s'il n'est pas connu */
-    Question poser(Rayon nouveau, Objet3D objet, int rang, double portee) {
-        rayon = nouveau;
-        depart = objet;
+    Question poser(Rayon rayonPose, Objet3D objetDeDepart, int rang, double portee) {
+        rayon = rayonPose;
+        depart = objetDeDepart;
         ombre = portee < Constantes.INFINI;
         limite = portee;
         rangDepart = rang;
@@ -88,8 +88,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         distance = Constantes.INFINI;
         proche = AUCUN;
         etape = Etape.DEBUT;
-        p = nouveau.getP();
-        v = nouveau.getV();
+        p = rayon.getP();
+        v = rayon.getV();
         liste.examens = 0;
         int[] rangs = structures.enveloppes.dAbord;
         if (!(Math.abs(v.norme2() - 1) < UNITAIRE

@@ -66,10 +66,10 @@ public final class Regard {
     }
 
     private boolean compare(Scene preparee, List<List<Objet3D>> classes, Camera camera) {
-        Scene toutes = preparee.avec(new TousLesObjets(preparee.getObjets()));
+        Scene sansRecherche = preparee.avec(new TousLesObjets(preparee.getObjets()));
         boolean cache = false;
         int rayons = classes.isEmpty() ? 0 : RAYONS;
-        for (int k = 0; k < rayons && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
+        for (int k = 0; k < rayons && !cache && sansRecherche.getCompteurs().testsSpheres < EXAMENS; k++) {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
             Point vers = dans(tirer(classe), 2 * hasard.nextDouble());
@@ -81,10 +81,10 @@ public final class Regard {
                 // deux points confondus : ce rayon n'existe pas
                 continue;
             }
-            Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
+            Couleur vue = sansRecherche.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(preparee.getCouleurVue(rayon, depart, 0))
-                    && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
+                    && vue.equals(sansRecherche.getCouleurVue(rayon, depart, 0));
         }
         return cache;
     }

@@ -15,15 +15,15 @@ final class Visee implements Source {
     private PointDeVue vue;
     private Point p;
     private Vecteur v;
-    /** Ce que l'ordre des enveloppes demande en plus d'une limite, pour ce rayon. */
+    /** Voir {@link PointDeVue#erreur}. */
     private double erreur;
     /** La première enveloppe qui n'est pas encore donnée, et la fin de celles de cette direction. */
     private int place;
     private int fin;
 
     /** Recommence, pour un rayon de ce point de vue. */
-    void viser(PointDeVue nouvelle, Point depart, Vecteur direction) {
-        vue = nouvelle;
+    void viser(PointDeVue pointDeVue, Point depart, Vecteur direction) {
+        vue = pointDeVue;
         p = depart;
         v = direction;
         erreur = vue.erreur(p);
