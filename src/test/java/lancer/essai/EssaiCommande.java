@@ -84,10 +84,12 @@ public abstract class EssaiCommande {
         return lien(nom, Paths.get("/dev/full"));
     }
 
-    /** Un lien symbolique ; le test est passé là où Windows n'en donne pas le droit. */
+    /** Un lien symbolique ; le test est passé là où Windows n'en donne pas le droit, ou n'en fait pas un. */
     protected Path lien(String nom, Path vers) throws IOException {
         try {
-            return Files.createSymbolicLink(dossier.resolve(nom), vers);
+            Path lien = Files.createSymbolicLink(dossier.resolve(nom), vers);
+            assumeTrue(Files.isSymbolicLink(lien), "pas de liens symboliques ici");
+            return lien;
         } catch (UnsupportedOperationException | FileSystemException e) {
             if (File.separatorChar == '/') {
                 throw e;
