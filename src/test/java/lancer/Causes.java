@@ -28,6 +28,8 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
      * explique celles de toutes les lignes qui suivent, si on les cherche après elle.
      */
     private static final List<List<String>> ORDRE = Arrays.asList(
+            // les classes données
+            Arrays.asList("Tuple"), Arrays.asList("Constantes"), Arrays.asList("PointContact"), Arrays.asList("Couleur"),
             Arrays.asList("Vecteur"), Arrays.asList("Point"), Arrays.asList("Rayon", "Rayon"),
             Arrays.asList("Sphere", "getIntersectionDistance"), Arrays.asList("Rayon", "calcContact"),
             Arrays.asList("Scene"), Arrays.asList("Sphere", "getNormale"), Arrays.asList("Objet3D"),
@@ -239,7 +241,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (!commune.isEmpty()) {
             String classe = commune.get(0).getClassName().replaceFirst("^lancer\\.", "");
             vu.sansFin = classe + "." + commune.get(0).getMethodName();
-            vu.rangSansFin = Math.max(2, rang(classe, commune.get(0).getMethodName().replace("<init>", classe)));
+            vu.rangSansFin = Math.max(rang("Rayon", "Rayon"), rang(classe, commune.get(0).getMethodName().replace("<init>", classe)));
             ou = " dans " + vu.sansFin;
         }
         Error erreur = new Error("sans réponse après " + patience / 1000 + " secondes : une boucle sans fin" + ou + " ?");
@@ -260,6 +262,6 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     /** Vrai dans une classe du projet qui n'est pas une de celles qui le vérifient. */
     static boolean deLEtudiant(StackTraceElement appel) {
-        return appel.getClassName().matches("lancer\\.(?!Tests|Demande|Causes|Repetition|Valeurs).*");
+        return appel.getClassName().matches("lancer\\.(?!Tests|Demande|Causes|Repetition|Valeurs|ImageAttendue).*");
     }
 }

@@ -110,7 +110,7 @@ abstract class Repetition {
         }
 
         private static String contact(String lieu, PointContact contact) {
-            return lieu + " à " + contact.distance + (contact.objet == null ? " de rien" : "");
+            return lieu + " à " + Valeurs.distance(contact) + (Valeurs.objet(contact) == null ? " de rien" : "");
         }
 
         private static String texte(Object o) {
@@ -225,7 +225,7 @@ abstract class Repetition {
         Couleur couleur(int k, int profondeur) {
             Rayon rayon = rayon(k);
             PointContact contact = scene.getClosestIntersection(rayon, null);
-            return contact == null ? null : contact.objet.getColor(scene, rayon, contact, profondeur);
+            return contact == null ? null : Valeurs.objet(contact).getColor(scene, rayon, contact, profondeur);
         }
     }
 

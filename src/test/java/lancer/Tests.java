@@ -48,13 +48,17 @@ public class Tests extends Valeurs {
     /** La profondeur qui ne montre pas de reflet, négative si elle n'est pas encore connue. */
     private int sansReflet = -1;
 
-    /** La couleur que voit ce rayon : il doit rencontrer quelque chose. */
     private static Couleur vue(Scene scene, Rayon rayon, int profondeur) {
+        return vueParLuiMeme(scene, neuf(rayon), profondeur);
+    }
+
+    /** La couleur que voit ce rayon, à qui rien n'a été demandé : il doit rencontrer quelque chose. */
+    private static Couleur vueParLuiMeme(Scene scene, Rayon rayon, int profondeur) {
         PointContact contact = scene.getClosestIntersection(rayon, null);
         if (contact == null) {
             return fail("ce rayon rencontre une boule : getClosestIntersection doit la trouver");
         }
-        return contact.objet.getColor(scene, rayon, contact, profondeur);
+        return objet(contact).getColor(scene, rayon, contact, profondeur);
     }
 
     /** La couleur vue sans reflet : à la profondeur 0, ou 1 pour qui compte à partir de 1, et rend noir à 0. */
@@ -71,12 +75,15 @@ public class Tests extends Valeurs {
      * par leur nombre n'en a pas sans elles.
      */
     private Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
-        Couleur sans = vue(scene(null, boules), encore(rayon));
+        Couleur sans = vue(scene(null, boules), rayon);
         return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(Double.isNaN(sans.r) ? NOIR : sans);
     }
 
-    /** Le même rayon, à qui rien n'a été demandé. */
-    private static Rayon encore(Rayon rayon) {
+    /** Si Kd ne change rien, les vérifications de Lambert le disent : celles de Phong ôtent ce que montre alors une boule noire. */
+    private boolean kdOublie;
+
+    /** Le même rayon, qui n'a encore rien noté : qui ne note qu'un contact plus proche a raison aussi. */
+    private static Rayon neuf(Rayon rayon) {
         return new Rayon(rayon.getP(), rayon.getV());
     }
 
@@ -103,7 +110,8 @@ public class Tests extends Valeurs {
     }
 
     private Couleur apport(Predicate<Couleur> convient, List<Lampe> lampes, Rayon rayon, Sphere boule) {
-        return aCote(rayon, convient, r -> apport(lampes, r, boule));
+        return aCote(rayon, convient, r -> apport(lampes, r, boule).sub(kdOublie
+                ? apport(lampes, r, boule(NOIR, NOIR, 1)) : NOIR));
     }
 
     private void verifierApport(String demande, Couleur attendue, List<Lampe> lampes, Rayon rayon, Sphere boule) {
@@ -142,10 +150,10 @@ public class Tests extends Valeurs {
 
     /** Dit si ce que voit ce rayon, noir, s'éclaire quand une autre boule le cache à la lampe. */
     private boolean eclaireeParUnObstacle(Sphere boule, Lampe lampe, Rayon rayon) {
-        PointContact contact = scene(null, boule).getClosestIntersection(rayon, null);
+        PointContact contact = scene(null, boule).getClosestIntersection(neuf(rayon), null);
         Point p = lampe.getPosition();
         Sphere obstacle = new Sphere(new Point((contact.x + p.x) / 2, (contact.y + p.y) / 2, (contact.z + p.z) / 2), 1);
-        return !pres(vue(scene(null, boule, obstacle), encore(rayon)), vue(scene(lampe, boule, obstacle), encore(rayon)));
+        return !pres(vue(scene(null, boule, obstacle), rayon), vue(scene(lampe, boule, obstacle), rayon));
     }
 
     /** La première boule d'une scène, loin de tout : elle n'est pas celle qu'un rayon d'ombre doit ignorer. */
@@ -154,11 +162,12 @@ public class Tests extends Valeurs {
     }
 
     /** Dit si le point que voit ce rayon est éclairé quand sa boule n'est pas dans la scène. */
-    private boolean eclaireSansElle(Scene seule, Lampe lampe, Rayon rayon) {
+    private boolean eclaireSansElle(Scene seule, Lampe lampe, Rayon celuiLa) {
+        Rayon rayon = neuf(celuiLa);
         PointContact contact = seule.getClosestIntersection(rayon, null);
         try {
-            return !pres(contact.objet.getColor(scene(null, ailleurs()), rayon, contact, sansReflet),
-                    contact.objet.getColor(scene(lampe, ailleurs()), rayon, contact, sansReflet));
+            return !pres(objet(contact).getColor(scene(null, ailleurs()), rayon, contact, sansReflet),
+                    objet(contact).getColor(scene(lampe, ailleurs()), rayon, contact, sansReflet));
         } catch (RuntimeException e) {
             return false;
         }
@@ -196,7 +205,7 @@ public class Tests extends Valeurs {
         PointContact contact = scene.getClosestIntersection(rayon, null);
         temoin.rayons.clear();
         if (contact != null) {
-            contact.objet.getColor(scene, rayon, contact, profondeur);
+            objet(contact).getColor(scene, rayon, contact, profondeur);
         }
         return temoin.rayons;
     }
@@ -226,6 +235,37 @@ public class Tests extends Valeurs {
     @DisplayName("1. Points et vecteurs")
     class Vecteurs {
 
+        @Test @Order(1) @Demande(classe = Tuple.class)
+        @DisplayName("la classe Tuple, donnée : ses coordonnées sont celles qu'on lui donne")
+        void unTripletGardeSesCoordonnees() {
+            Point p = new Point(0.1, -0.2, 12345.6789);
+            dire(p.x == 0.1 && p.y == -0.2 && p.z == 12345.6789, "new Point(0.1, -0.2, 12345.6789), d'un Tuple de trois double",
+                    "0.1, -0.2, 12345.6789", p.x + ", " + p.y + ", " + p.z);
+        }
+
+        @Test @Order(2) @Demande(classe = Constantes.class)
+        @DisplayName("la classe Constantes, donnée : ce sont celles de l'énoncé")
+        void lesConstantesSontCellesDuCours() {
+            constante("ECHELLE", 2);
+            constante("CHAMP", 30);
+            constante("INFINI", Double.POSITIVE_INFINITY);
+        }
+
+        /** Par son nom : le compilateur recopierait ici la valeur qu'elle avait. */
+        private void constante(String nom, double attendue) {
+            verifier("Constantes." + nom, attendue, (Double) champ(Constantes.class, nom, null));
+        }
+
+        @Test @Order(3) @Demande(classe = PointContact.class)
+        @DisplayName("la classe PointContact, donnée : un contact garde son objet et sa distance")
+        void unContactGardeSonObjetEtSaDistance() {
+            Sphere sphere = new Sphere(p, 1);
+            PointContact contact = new PointContact(p, sphere, 3);
+            verifier("new PointContact(p, objet, 3) est en p" + texte(a), a, contact);
+            verifier("sa distance", 3, distance(contact));
+            dire(objet(contact) == sphere, "son objet", sphere, objet(contact));
+        }
+
         private final double[] a = demis(1.5, 2, 3);
         private final double[] b = demis(4, -5, 6.5);
         private final double[] c = demis(0, 3, -4);
@@ -236,30 +276,30 @@ public class Tests extends Valeurs {
         private final Point p = new Point(a[0], a[1], a[2]);
         private final Point q = new Point(b[0], b[1], b[2]);
 
-        @Test @Order(1) @Demande(classe = Vecteur.class, methodes = "Vecteur") @DisplayName("new Vecteur(a, b) va de a à b")
+        @Test @Order(4) @Demande(classe = Vecteur.class, methodes = "Vecteur") @DisplayName("new Vecteur(a, b) va de a à b")
         void entreDeuxPointsUnVecteurVaDuPremierAuSecond() {
             verifier("le vecteur de a" + texte(a) + " à b" + texte(b) + " est b - a", somme(b, -1, a), new Vecteur(p, q));
         }
 
-        @Test @Order(2) @Demande(classe = Vecteur.class, methodes = "sub") @DisplayName("u.sub(v) soustrait deux vecteurs")
+        @Test @Order(5) @Demande(classe = Vecteur.class, methodes = "sub") @DisplayName("u.sub(v) soustrait deux vecteurs")
         void unVecteurSeSoustrait() {
             verifier(texte(a) + " - " + texte(b), somme(a, -1, b), u.sub(v));
             verifier("Vecteur.sub(u, v) vaut u.sub(v)", somme(a, -1, b), Vecteur.sub(u, v));
         }
 
-        @Test @Order(3) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(v) translate le point de -v")
+        @Test @Order(6) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(v) translate le point de -v")
         void unPointMoinsUnVecteurEstUnPoint() {
             verifier("le point " + texte(a) + " translaté de -" + texte(b), somme(a, -1, b), p.sub(v));
             verifier("Point.sub(p, v) vaut p.sub(v)", somme(a, -1, b), Point.sub(p, v));
         }
 
-        @Test @Order(4) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(q) est le vecteur de q à p")
+        @Test @Order(7) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(q) est le vecteur de q à p")
         void unPointMoinsUnPointEstUnVecteur() {
             verifier("p" + texte(a) + " - q" + texte(b) + ", le vecteur qui va de q à p", somme(a, -1, b), p.sub(q));
             verifier("Point.sub(p, q) vaut p.sub(q)", somme(a, -1, b), Point.sub(p, q));
         }
 
-        @Test @Order(5) @Demande(classe = Vecteur.class, methodes = "dot") @DisplayName("u.dot(v) est le produit scalaire")
+        @Test @Order(8) @Demande(classe = Vecteur.class, methodes = "dot") @DisplayName("u.dot(v) est le produit scalaire")
         void leProduitScalaireAjouteLesProduitsDesComposantes() {
             verifier(texte(a) + "·" + texte(b) + " = " + nb(a[0] * b[0]) + plus(a[1] * b[1]) + plus(a[2] * b[2]),
                     produit(a, b), u.dot(v));
@@ -267,22 +307,24 @@ public class Tests extends Valeurs {
             verifier("Vecteur.dot(u, v) vaut u.dot(v)", produit(a, b), Vecteur.dot(u, v));
         }
 
-        @Test @Order(6) @Demande(classe = Vecteur.class, methodes = "norme2") @DisplayName("norme2 est le carré de la norme")
+        @Test @Order(9) @Demande(classe = Vecteur.class, methodes = "norme2") @DisplayName("norme2 est le carré de la norme")
         void laNormeAuCarreEstLeProduitScalaireDuVecteurParLuiMeme() {
             verifier("le carré de la norme de " + texte(a) + " : " + nb(a[0] * a[0]) + plus(a[1] * a[1]) + plus(a[2] * a[2]),
                     produit(a, a), u.norme2());
             verifier("la norme de " + texte(c), Math.sqrt(produit(c, c)), w.norme());
         }
 
-        @Test @Order(7) @Demande(classe = Vecteur.class, methodes = "norme2")
+        @Test @Order(10) @Demande(classe = Vecteur.class, methodes = "norme2")
         @DisplayName("les deux façons de normaliser donnent la longueur 1, sans changer la direction")
         void normaliseUnVecteurEstDeLongueurUnEtDeMemeDirection() {
             verifier("norme2, qui sert à normaliser : le carré de la norme de " + texte(c), produit(c, c), w.norme2());
             verifier(texte(c) + " normalisé par normalized()", unitaire(c), w.normalized());
             verifier(texte(c) + " normalisé par Vecteur.normalize", unitaire(c), Vecteur.normalize(w));
+            verifier("un vecteur plus court que 1, normalisé par normalized()", unitaire(c), new Vecteur(c[0] / 16, c[1] / 16, c[2] / 16)
+                    .normalized());
         }
 
-        @Test @Order(8) @Demande(classe = Vecteur.class) @DisplayName("les opérations fournies marchent toujours")
+        @Test @Order(11) @Demande(classe = Vecteur.class) @DisplayName("les opérations fournies marchent toujours")
         void lesAutresOperationsSontIntactes() {
             verifier(texte(a) + " + " + texte(b), somme(a, 1, b), u.add(v));
             verifier(nb(k) + " " + texte(a), somme(a, k - 1, a), u.mul(k));
@@ -291,9 +333,11 @@ public class Tests extends Valeurs {
             verifier("le point " + texte(a) + " translaté de " + texte(b), somme(a, 1, b), p.add(v));
         }
 
-        @Test @Order(9) @Demande(classe = Couleur.class, methodes = "getCode")
-        @DisplayName("getCode limite chaque composante d'une couleur à [0, 1]")
-        void uneCouleurALEcranEstLimitee() {
+        @Test @Order(12) @Demande(classe = Couleur.class) @DisplayName("une couleur n'est limitée à [0, 1] qu'à l'écran, par getCode")
+        void uneCouleurNEstLimiteeQuALEcran() {
+            Couleur vive = new Couleur(1.5, -0.5, 0.25);
+            verifier("new Couleur(1.5, -0.5, 0.25), fois 2", new Couleur(3, -1, 0.5), vive.mul(2));
+            dire(vive.r == 1.5 && vive.v == -0.5, "les composantes de new Couleur(1.5, -0.5, 0.25)", "1.5 et -0.5", vive.r + " et " + vive.v);
             code("au-delà de 1, en dessous de 0, et NaN", 0xFF0000, new Couleur(1.5, -0.5, Double.NaN));
             code("entre 0 et 1", 0x3366CC, new Couleur(0.2, 0.4, 0.8));
         }
@@ -351,7 +395,17 @@ public class Tests extends Valeurs {
                     rayon.getV());
         }
 
-        @Test @Order(3) @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
+        @Test @Order(3) @Demande(classe = Rayon.class, methodes = "getSkyColor")
+        @DisplayName("getSkyColor, donnée : la couleur du ciel dans la direction du rayon")
+        void leCielEstCeluiDuCours() {
+            for (int sens = -1; sens <= 1; sens += 2) {
+                Rayon rayon = new Rayon(new Point(p[0], p[1], p[2]), new Vecteur(v[0], sens * Math.abs(v[1]), v[2]));
+                // dans la direction qu'a ce rayon : qu'elle soit juste, d'autres vérifications le disent
+                verifier("Rayon.getSkyColor, V.y = " + nb(rayon.getV().y), ciel(rayon.getV().y), rayon.getSkyColor());
+            }
+        }
+
+        @Test @Order(4) @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
         void leCoinEnHautAGaucheEstAMoinsUn() {
             int autreL = 2 * entier(640, 150, 750);
             int autreH = 2 * entier(512, 100, 550);
@@ -362,12 +416,12 @@ public class Tests extends Valeurs {
                     new Camera(autreL, autreH).getRayon(0, 0).getP());
         }
 
-        @Test @Order(4) @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
+        @Test @Order(5) @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
         void leCoinEnBasADroiteEstAPlusUn() {
             ecran("le coin (" + L + "," + H + ")" + ecran(L, H), L, H, L, H);
         }
 
-        @Test @Order(5) @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
+        @Test @Order(6) @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
             // loin du milieu de l'écran, où une image retournée a le même point
             int xe = entier(200, 20, 140);
@@ -376,7 +430,7 @@ public class Tests extends Valeurs {
             ecran("(" + 2 * xe + "," + 2 * ye + ")" + ecran(2 * L, 2 * H) + " : le même point", 2 * L, 2 * H, 2 * xe, 2 * ye);
         }
 
-        @Test @Order(6) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
+        @Test @Order(7) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
         @DisplayName("au centre de l'écran, le rayon va droit devant")
         void auCentreLeRayonVaDroitDevant() {
             double d = decalage();
@@ -388,7 +442,7 @@ public class Tests extends Valeurs {
                     rayon.getV());
         }
 
-        @Test @Order(7) @Demande(classe = Camera.class, methodes = "Camera")
+        @Test @Order(8) @Demande(classe = Camera.class, methodes = "Camera")
         @DisplayName("new Camera(L, H) : l'œil voit la largeur de l'écran sous 30° (distance focale)")
         void laLargeurDeLEcranEstVueSousTrenteDegres() {
             double d = decalage();
@@ -400,7 +454,7 @@ public class Tests extends Valeurs {
                     Math.toDegrees(Math.asin(sinus)));
         }
 
-        @Test @Order(8) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
+        @Test @Order(9) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
         @DisplayName("chaque rayon vient de l'œil")
         void tousLesRayonsPassentParLOeil() {
             double focale = 1 / Math.tan(Math.toRadians(15));
@@ -412,7 +466,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(9) @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
+        @Test @Order(10) @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
         void uneTailleImpaireOuUnPointEntreDeuxPixelsNArronditRien() {
             int l = 2 * entier(40, 20, 100) + 1;
             int h = 2 * entier(30, 20, 100) + 1;
@@ -436,6 +490,12 @@ public class Tests extends Valeurs {
             verifier(demande, attendue, sphere.getIntersectionDistance(rayon));
         }
 
+        /** Au bord, les arrondis comptent davantage : un programme en float n'a pas tort. */
+        private void aPeuPres(String demande, double attendue, Sphere sphere, Rayon rayon) {
+            double obtenue = sphere.getIntersectionDistance(rayon);
+            dire(Math.abs(obtenue - attendue) < 0.01, demande, arrondi(attendue), obtenue);
+        }
+
         @Test @Order(1) @DisplayName("des deux points touchés, la distance est celle du plus proche")
         void laDistanceEstCelleDuPlusProcheDesDeuxPoints() {
             distance("sphère de centre " + point(0, 0, D) + " et de rayon " + nb(r) + ", vue de " + point(0, 0, 0)
@@ -446,6 +506,7 @@ public class Tests extends Valeurs {
             distance("sphère de centre " + point(1 + s * D, 0, -7 + c * D) + " et de rayon " + nb(R) + ", vue de "
                     + point(1, 0, -7) + " : points à " + nb(D - R) + " et " + nb(D + R), D - R,
                     boule(1 + s * D, 0, -7 + c * D, R), rayon(1, 0, -7, v * s, 0, v * c));
+            distance("la première, vue de tout près, à 0.2", 0.2, sphere, rayon(0, 0, D - r - 0.2, 0, 0, 1));
         }
 
         @Test @Order(2) @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
@@ -457,6 +518,11 @@ public class Tests extends Valeurs {
             double y = 0.9 * R;
             distance("la même, de rayon " + nb(R) + ", vue de " + point(0, y, 0), D - sinus(0.9) * R, boule(0, 0, D, R),
                     rayon(0, y, 0, 0, 0, 1));
+            double petit = 0.1;
+            aPeuPres("la même, de rayon " + petit + ", vue de " + point(0, 0.6 * petit, 0), D - 0.8 * petit, boule(0, 0, D, petit),
+                    rayon(0, 0.6 * petit, 0, 0, 0, 1));
+            aPeuPres("la première, presque au bord : demi-corde " + nb(0.02 * r), D - 0.02 * r, sphere,
+                    rayon(0, Math.sqrt(1 - 0.02 * 0.02) * r, 0, 0, 0, 1));
         }
 
         @Test @Order(3) @DisplayName("sans intersection, la distance est +∞")
@@ -464,6 +530,8 @@ public class Tests extends Valeurs {
             double y = tirer(2, 1.7, 3);
             distance("rayon de " + point(0, y, 0) + " vers " + vers(0, 0, 1) + ", qui passe à " + nb(y) + " du centre",
                     Double.POSITIVE_INFINITY, sphere, rayon(0, y, 0, 0, 0, 1));
+            distance("la même distance du centre, d'une sphère de rayon " + nb(0.9 * y), Double.POSITIVE_INFINITY,
+                    boule(0, 0, D, 0.9 * y), rayon(0, y, 0, 0, 0, 1));
         }
 
         @Test @Order(4) @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
@@ -477,6 +545,8 @@ public class Tests extends Valeurs {
             double e = tirer(0.5, 0.1, 0.5);
             distance("rayon parti de " + point(0, 0, D + e) + " vers " + vers(0, 0, -1) + " : points à " + nb(e - r)
                     + ", dans le dos, et à " + nb(e + r), e + r, sphere, rayon(0, 0, D + e, 0, 0, -1));
+            distance("le même, vers " + vers(0, 0, 1) + ", dos au centre : points à " + nb(-e - r) + " et à " + nb(r - e), r - e, sphere,
+                    rayon(0, 0, D + e, 0, 0, 1));
         }
 
         @Test @Order(6) @DisplayName("la distance trouvée est aussi notée dans le rayon")
@@ -509,10 +579,21 @@ public class Tests extends Valeurs {
         private final Sphere pres = boule(0, 0, d + r, r, NOIR, NOIR, 1);
         private final Sphere loin = boule(0, 0, D + r, r, NOIR, NOIR, 1);
         private final String boules = "boules à " + nb(d) + " (proche) et à " + nb(D) + " (lointaine), la ";
-        private final Rayon devant = devant();
+        /** Une boule que le rayon manque. */
+        private final Sphere aCote = boule(0, 9, d + r, r);
 
-        private void plusProche(String demande, Sphere attendue, PointContact contact) {
-            dire(contact != null && contact.objet == attendue, demande, nom(attendue), contact == null ? null : nom(contact.objet));
+        /** Ce que rencontre un rayon neuf, parmi ces boules. */
+        private PointContact contact(Rayon rayon, Sphere saufLui, Sphere... boules) {
+            return scene(null, boules).getClosestIntersection(rayon, saufLui);
+        }
+
+        private void plusProche(String demande, Sphere attendue, Sphere saufLui, Sphere... boules) {
+            plusProche(demande, devant(), attendue, saufLui, boules);
+        }
+
+        private void plusProche(String demande, Rayon rayon, Sphere attendue, Sphere saufLui, Sphere... boules) {
+            PointContact contact = contact(rayon, saufLui, boules);
+            dire(contact != null && objet(contact) == attendue, demande, nom(attendue), contact == null ? null : nom(objet(contact)));
         }
 
         private String nom(Objet3D objet) {
@@ -531,56 +612,106 @@ public class Tests extends Valeurs {
             PointContact contact = rayon.calcContact();
             verifier("le contact du rayon de " + point(x, 0, 0) + " vers " + vers(0, 0, 1) + " avec la sphère de centre "
                     + point(x, 0, d + r) + " et de rayon " + nb(r), lieu(x, 0, d), contact);
-            dire(contact.objet == sphere, "l'objet du contact est la sphère touchée", sphere, contact.objet);
-            verifier("la distance que porte ce contact", d, contact.distance);
+            dire(objet(contact) == sphere, "l'objet du contact est la sphère touchée", sphere, objet(contact));
+            verifier("la distance que porte ce contact", d, distance(contact));
         }
 
         @Test @Order(2) @Demande(classe = Rayon.class, methodes = "calcContact")
         @DisplayName("calcContact : null si la distance est infinie")
         void sansDistanceIlNYAPasDeContact() {
-            dire(devant.calcContact() == null, "calcContact d'un rayon qui n'a rien touché", null, "un contact");
+            dire(devant().calcContact() == null, "calcContact d'un rayon qui n'a rien touché", null, "un contact");
         }
 
         @Test @Order(3) @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
         void laPlusProcheDesSpheresEstTrouvee() {
             sceneCommencee();
-            plusProche("une seule boule", pres, scene(null, pres).getClosestIntersection(devant, null));
-            plusProche(boules + "lointaine en premier", pres, scene(null, loin, pres).getClosestIntersection(devant, null));
-            plusProche(boules + "proche en premier", pres, scene(null, pres, loin).getClosestIntersection(devant, null));
-            Sphere aCote = boule(0, 9, d + r, r);
-            plusProche("une boule que le rayon manque, puis une à " + nb(d), pres,
-                    scene(null, aCote, pres).getClosestIntersection(devant, null));
-            plusProche("une boule à " + nb(d) + ", puis une que le rayon manque", pres,
-                    scene(null, pres, aCote).getClosestIntersection(devant, null));
+            plusProche("une seule boule", pres, null, pres);
+            plusProche(boules + "lointaine en premier", pres, null, loin, pres);
+            plusProche(boules + "proche en premier", pres, null, pres, loin);
+            plusProche("une boule que le rayon manque, puis une à " + nb(d), pres, null, aCote, pres);
+            plusProche("une boule à " + nb(d) + ", puis une que le rayon manque", pres, null, pres, aCote);
+            Sphere bord = boule(0, 0, r + 0.2, r);
+            plusProche("une boule à 0.2", bord, null, bord, loin);
+            Sphere horizon = boule(0, 0, 1e5, 50);
+            plusProche("une boule à 99950", horizon, null, aCote, horizon);
         }
 
-        @Test @Order(4) @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
+        @Test @Order(4) @DisplayName("getClosestIntersection : la plus proche le long du rayon, où que soient les centres")
+        void laPlusProcheEstCelleDuPointTouche() {
+            sceneCommencee();
+            Sphere petite = boule(0, 0, d + 1, 0.2);
+            Sphere grosse = boule(0, 0, d + 9, 9);
+            plusProche("une grosse boule à " + nb(d) + ", devant une petite dont le centre est plus près", grosse, null, petite, grosse);
+            for (int sens = -1; sens <= 1; sens += 2) {
+                Sphere premiere = boule(0, 0, sens * (d + r), r);
+                plusProche("rayon vers " + vers(0, 0, sens) + ", deux boules devant lui : la première", rayon(0, 0, 0, 0, 0, sens), premiere,
+                        null, boule(0, 0, sens * (D + r), r), premiere);
+            }
+        }
+
+        @Test @Order(5) @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
         void leContactEstCeluiDeLaPlusProche() {
             sceneCommencee();
-            PointContact contact = scene(null, pres, loin).getClosestIntersection(devant, null);
+            PointContact contact = contact(devant(), null, pres, loin);
             verifier("la distance du contact, la boule proche étant à " + nb(d) + " et la lointaine à " + nb(D), d,
-                    contact.distance);
+                    distance(contact));
             verifier("le point de contact", lieu(0, 0, d), contact);
         }
 
-        @Test @Order(5) @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
-        void laSphereAIgnorerEstIgnoree() {
+        @Test @Order(6) @DisplayName("getClosestIntersection : à la fin, le rayon a noté la plus proche")
+        void leRayonGardeLaPlusProche() {
             sceneCommencee();
-            plusProche("sauf la boule proche", loin, scene(null, loin, pres).getClosestIntersection(devant, pres));
-            plusProche("sauf la boule lointaine", pres, scene(null, pres, loin).getClosestIntersection(devant, loin));
-            plusProche("sauf la boule proche, qui est la première", loin,
-                    scene(null, pres, loin).getClosestIntersection(devant, pres));
+            Rayon rayon = devant();
+            contact(rayon, null, pres, loin, aCote);
+            String note = nom(rayon.getObjet()) + " à " + rayon.getDistance();
+            devantLaCamera();
+            // qui n'emploie que le contact rendu n'en est pas gêné : le pixel est alors le même, dans quelque ordre que soient les boules
+            List<Sphere> boules = Arrays.asList(loin(), boule(0, 0, d + r, r, gris, gris, 20), boule(2, 0, d - 2, 0.5),
+                    boule(0.5, 0, -9, 3, gris, NOIR, 1), boule(0, 0, -30, 3, BLANC, NOIR, 1), boule(0, 9, d, r));
+            String juste = pixelDuCentre(boules);
+            for (int k = 1; k < boules.size() && rayon.getObjet() != pres; k++) {
+                Collections.rotate(boules, 1);
+                dire(juste.equals(pixelDuCentre(boules)), "le rayon, que getClosestIntersection a reçu, a noté un autre contact : un pixel "
+                        + "dépend de l'ordre des boules", nom(pres) + " à " + nb(d), note);
+            }
         }
 
-        @Test @Order(6) @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
+        /** Une boule lointaine, noire quoi que rende getColor. */
+        private Sphere loin() {
+            return new Sphere(new Point(0, 0, D + r), r) {
+                @Override
+                public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                    return NOIR;
+                }
+            };
+        }
+
+        /** La couleur du pixel au milieu de l'image de ces boules, ou ce qui l'empêche d'en avoir une. */
+        private String pixelDuCentre(List<Sphere> boules) {
+            try {
+                Couleur couleur = new Lancer(new Scene(boules, Collections.singletonList(orange(4, 0, d - 4))), new Camera(8, 6))
+                        .getCouleurPixel(4, 3, 2);
+                return texte(couleur.r, couleur.v, couleur.b);
+            } catch (RuntimeException | StackOverflowError e) {
+                return e.getClass().getSimpleName();
+            }
+        }
+
+        @Test @Order(7) @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
+        void laSphereAIgnorerEstIgnoree() {
+            sceneCommencee();
+            plusProche("sauf la boule proche", loin, pres, loin, pres);
+            plusProche("sauf la boule lointaine", pres, loin, pres, loin);
+            plusProche("sauf la boule proche, qui est la première", loin, pres, pres, loin);
+        }
+
+        @Test @Order(8) @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
         void ouIlNYARienIlNYAPasDeContact() {
             sceneCommencee();
-            Scene scene = scene(null, pres, loin);
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 1, 0), null) == null,
-                    "rayon vers le haut, boules devant", null, "un contact");
-            dire(scene.getClosestIntersection(rayon(0, 0, 0, 0, 0, -1), null) == null, "rayon dos aux boules", null, "un contact");
-            dire(scene.getClosestIntersection(devant, null) != null
-                    && scene(null, pres).getClosestIntersection(devant, pres) == null, "une seule boule, à ignorer", null, "un contact");
+            dire(contact(rayon(0, 0, 0, 0, 1, 0), null, pres, loin) == null, "rayon vers le haut, boules devant", null, "un contact");
+            dire(contact(rayon(0, 0, 0, 0, 0, -1), null, pres, loin) == null, "rayon dos aux boules", null, "un contact");
+            dire(contact(devant(), null, pres, loin) != null && contact(devant(), pres, pres) == null, "une seule boule, à ignorer", null,
+                    "un contact");
         }
 
         private Couleur pixel(Scene scene, Camera camera, double xe, double ye, int profondeur) {
@@ -602,7 +733,7 @@ public class Tests extends Valeurs {
             siEvaluable(scene.getClosestIntersection(camera.getRayon(xe, ye), null) != null,
                     "le rayon de ce pixel, que donne la caméra, ne rencontre pas la boule qui est devant l'écran");
             try {
-                return vue(scene, camera.getRayon(xe, ye), profondeur);
+                return vueParLuiMeme(scene, camera.getRayon(xe, ye), profondeur);
             } catch (RuntimeException | StackOverflowError e) {
                 // à l'étape où getColor s'écrit de le dire
                 throw new Demande.NonEvaluable("getColor, que les étapes suivantes vérifient, échoue");
@@ -617,7 +748,7 @@ public class Tests extends Valeurs {
             verifier(demande, pres(centre, pixel) ? centre : coin, pixel);
         }
 
-        @Test @Order(7) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @Test @Order(9) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
         @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
             int L = entier(800, 300, 1500);
@@ -631,18 +762,17 @@ public class Tests extends Valeurs {
                     + " d'une scène vide : getSkyColor du rayon", pres(centre, couleur) ? centre : ciel(L, H, xe, ye), couleur);
         }
 
-        @Test @Order(8) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @Test @Order(10) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
         @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
         void unPixelALaCouleurDeLaPlusProcheSphere() {
             devantLaCamera();
             int L = entier(800, 300, 1500);
             int H = entier(600, 200, 1100);
             Sphere rouge = boule(teinte(0.8, 0, 0), NOIR, 1);
-            commeGetColor("le pixel du centre : getColor de la boule proche", scene(lampe(0, 0, -9),
-                    boule(0, 0, D + r, r, BLANC, NOIR, 1), rouge), new Camera(L, H), L / 2, H / 2, 1);
+            commeGetColor("le pixel du centre : getColor de la boule proche", scene(lampe(0, 0, -9), loin(), rouge), new Camera(L, H), L / 2, H / 2, 1);
         }
 
-        @Test @Order(9) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @Test @Order(11) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
         @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
         void unPixelALaProfondeurDemandee() {
             devantLaCamera();
@@ -657,7 +787,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(10) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @Test @Order(12) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
         @DisplayName("getCouleurPixel : n'arrondit rien à l'entier, ni xe, ni ye")
         void unPointEntreDeuxPixelsASaCouleur() {
             devantLaCamera();
@@ -778,6 +908,8 @@ public class Tests extends Valeurs {
         @BeforeEach
         void commencee() {
             couleurCommencee();
+            Lampe devant = lampe(0, 0, 3);
+            kdOublie = pres(vue(scene(devant, boule(NOIR, NOIR, 1)), devant()), vue(scene(devant, boule(gris, NOIR, 1)), devant()));
             siCommencee(!pres(NOIR, deFace()) || refletAilleurs() || matiereBrillante(),
                     Objet3D.class, "getColor", "pour l'instant, Ks et ns ne changent encore aucune couleur");
         }
@@ -820,9 +952,9 @@ public class Tests extends Valeurs {
             Lampe lampe = lampe(s, 0, 4 - c);
             // de face et de biais : R.V, au lieu de R.-V, n'est positif que vu de très près de la surface
             return Stream.of(devant(), rayon(-4 * sr, 0, 4 - 4 * cr, sr, 0, cr)).anyMatch(r -> {
-                Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), encore(r));
+                Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), r);
                 return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
-                        .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), encore(r))));
+                        .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), r)));
             });
         }
 
@@ -977,7 +1109,20 @@ public class Tests extends Valeurs {
                     couleur(lampe, boule, surLeChemin(-1, 0)));
         }
 
-        @Test @Order(5) @DisplayName("une boule seule n'est pas dans sa propre ombre")
+        @Test @Order(5) @DisplayName("c'est le contact qui est à l'ombre, et non sa boule, ni un point voisin")
+        void lOmbreEstCelleDuContact() {
+            // de centre (0, 0, 9), et de rayon 5 : le chemin de la lampe à son centre n'est pas celui de la lampe au contact
+            Sphere grosse = boule(0, 0, 9, 5, gris, NOIR, 1);
+            Couleur claire = couleur(lampe, grosse);
+            verifier("une grosse boule, un obstacle entre elle et la lampe" + autreRayon, couleur(null, grosse),
+                    couleur(lampe, grosse, aMiChemin()));
+            verifier("un obstacle entre la lampe et le centre de cette boule, mais non entre la lampe et le contact", claire,
+                    couleur(lampe, grosse, boule(s * D / 2, 0, 6.5 - c * D / 2, 0.5)));
+            verifier("une petite boule tout près du contact, entre lui et la lampe", eteinte,
+                    couleur(lampe, boule, boule(s * 0.4, 0, 4 - c * 0.4, 0.15)));
+        }
+
+        @Test @Order(6) @DisplayName("une boule seule n'est pas dans sa propre ombre")
         void uneBouleNeSeCachePasElleMeme() {
             String ombre = ombreDeSoi();
             if (ombre != null) {
@@ -985,7 +1130,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(6) @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
+        @Test @Order(7) @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
         void lesAutresLampesRestent() {
             List<Sphere> boules = Arrays.asList(boule, aMiChemin());
             Lampe autre = lampe(-s * D, 0, 4 - c * D);
@@ -1044,7 +1189,7 @@ public class Tests extends Valeurs {
             avec.add(miroir(Kd, Ks));
             sans.add(miroir(Kd, NOIR));
             // sans Ks, à la profondeur qui ne montre rien : qui oublie Ks voit son reflet en entier
-            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), encore(rayon), profondeur)
+            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), rayon, profondeur)
                     .sub(vue(new Scene(sans, lampes), rayon)));
         }
 
@@ -1071,6 +1216,8 @@ public class Tests extends Valeurs {
         void unRefletNeSAjouteQuUneFois() {
             verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
+            verifierReflet("à l'ombre d'une boule, le reflet est le même", Ks.mul(ciel), Collections.singletonList(lampe), 1,
+                    boule(s / 2, 0, z - c / 2, 0.1));
             int combien = entier(2, 2, 4);
             verifierReflet("avec " + (combien == 2 ? "deux" : "trois") + " lampes", Ks.mul(ciel), lampes.subList(0, combien), 1);
             verifier("une boule mate et miroir, Kd = " + texte(gris) + ", moins la même où Ks est nul", Ks.mul(ciel),

@@ -2,6 +2,7 @@ package lancer;
 
 import static org.junit.jupiter.api.Assertions.fail;
 
+import java.lang.reflect.Field;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.SplittableRandom;
@@ -222,6 +223,25 @@ abstract class Valeurs {
         double[] p = lieu(px, py, pz);
         double[] v = direction(vx, vy, vz);
         return new Rayon(new Point(p[0], p[1], p[2]), new Vecteur(v[0], v[1], v[2]));
+    }
+
+    /** L'objet d'un contact, que ce champ soit public ou non. */
+    static Objet3D objet(PointContact contact) {
+        return (Objet3D) champ(PointContact.class, "objet", contact);
+    }
+
+    static double distance(PointContact contact) {
+        return (Double) champ(PointContact.class, "distance", contact);
+    }
+
+    static Object champ(Class<?> classe, String nom, Object objet) {
+        try {
+            Field champ = classe.getDeclaredField(nom);
+            champ.setAccessible(true);
+            return champ.get(objet);
+        } catch (ReflectiveOperationException e) {
+            return fail(classe.getSimpleName() + " n'a plus de champ " + nom);
+        }
     }
 
     /** Le rayon de (0,0,0) vers +z. */

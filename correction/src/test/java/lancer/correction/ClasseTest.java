@@ -50,7 +50,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void ceQuiNEstPasCommenceNeRapporteRienEtNEstPasRate() throws IOException {
-        etapes("101", "1/7", "0/9", "0/7", "0/9", "0/9", "0/7", "0/6", "0/8", "0/3");
+        etapes("101", "1/7", "0/9", "0/7", "0/11", "0/9", "0/7", "0/7", "0/8", "0/3");
         assertEquals("aucune en entier", classe.get("101").get("étape atteinte"));
         String page = page(dossier, "101");
         assertEquals(List.of("fausse", "non commencé"), List.of(etat(page, "u.dot(v) est le produit scalaire"),
@@ -63,7 +63,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void uneImageRenverseeEstUneFauteDeLaCameraSeule() throws IOException {
-        etapes("102", "7/7", "5/9", "0/7", "1/9");
+        etapes("102", "7/7", "5/9", "0/7", "1/11");
         assertTrue(page(dossier, "102").matches("(?s).*le pixel \\(0,0\\) d&#39;un écran [^<]*"
                 + "attendu : \\(-1\\.0, ([\\d.]+), 0\\.0\\), obtenu : \\(-1\\.0, -\\1, 0\\.0\\).*"));
         assertEquals(2, page(dossier, "102").split("<pre>[^<]*Rayon getRayon").length, "montrée une fois, quoi qu'elle rate");
@@ -71,7 +71,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
-        etapes("103", "7/7", "9/9", "0/7", "1/9", "1/9");
+        etapes("103", "7/7", "9/9", "0/7", "1/11", "1/9");
         contient(page(dossier, "103"), "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, "
                 + "insert &quot;;&quot; to complete",
                 "n&#39;est pas en UTF-8");
@@ -79,14 +79,14 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void lNonNormaliseEstUneFauteDeLambertEtCeQuiSuitEstAFaire() throws IOException {
-        etapes("104", "7/7", "9/9", "7/7", "9/9", "8/9", "0/7", "0/6", "0/8", "0/3");
+        etapes("104", "7/7", "9/9", "7/7", "11/11", "8/9", "0/7", "0/7", "0/8", "0/3");
         assertEquals("Scène de sphères", classe.get("104").get("étape atteinte"));
         contient(page(dossier, "104"), "L est normalisé", "lampe 1 seule, sans Ks");
     }
 
     @Test
     void uneRecursionSansFinNEchappePasEtLaSignatureDuCoursVautLaNotre() throws IOException {
-        etapes("105", "7/7", "9/9", "7/7", "9/9", "9/9", "7/7", "6/6", "5/8");
+        etapes("105", "7/7", "9/9", "7/7", "11/11", "9/9", "7/7", "7/7", "5/8");
         contient(page(dossier, "105"), "se renvoient le rayon sans fin");
     }
 

@@ -152,7 +152,7 @@ class EtapesTest {
         String dit = new Programme(dossier).changer("Objet3D", "couleur.add(diffus).add(speculaire)", "couleur.add(diffus)")
                 .changer("Objet3D", "&& !estALOmbre(scene, lampe, contact)", "")
                 .changer("Objet3D", "if (profondeur > 0)", "if (profondeur > 1000)").bilan();
-        assertTrue(dit.matches("(?s).*\n6\\. [^\n]*/7 ; à commencer : pour l'instant, Ks et ns[^\n]*\n7\\. [^\n]*/6 ; à commencer : "
+        assertTrue(dit.matches("(?s).*\n6\\. [^\n]*/7 ; à commencer : pour l'instant, Ks et ns[^\n]*\n7\\. [^\n]*/7 ; à commencer : "
                 + "pour l'instant, une boule entre[^\n]*\n8\\. [^\n]*/8 ; à commencer : pour l'instant, la profondeur.*"
                 + "L'étape suivante : 6\\. [^\n]* ; à compléter : Objet3D\\.java:\\d+\n.*") && !dit.contains("à reprendre"), dit);
     }

@@ -51,6 +51,8 @@ final class Doublures {
         try {
             ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
             SourcesDuCours.VERIFICATIONS.forEach(v -> sources.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
+            // ses valeurs sont recopiées dans les classes qui l'emploient : ce sont elles qui sont jugées
+            sources.put("lancer/Constantes", SourcesDuCours.corrige("Constantes"));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
