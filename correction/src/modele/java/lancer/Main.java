@@ -7,9 +7,12 @@ import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.image.BufferedImage;
-import java.io.File;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Paths;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
@@ -32,31 +35,50 @@ public class Main implements Toile {
     }
 
     /** @param args la scène, par exemple scenes/scene1.ini ; puis, pour se passer de fenêtre, l'image PNG à écrire */
-    public static void main(String[] args) throws IOException {
-        Main main;
-        try {
-            main = new Main(new Scene(args.length > 0 ? args[0] : "scenes/scene1.ini"));
-        } catch (IllegalArgumentException e) {
-            System.err.println(e.getMessage());
-            System.exit(2);
-            return;
+    public static void main(String[] args) {
+        String fichier = args.length > 0 ? args[0] : "scenes/scene1.ini";
+        if (args.length > 2) {
+            arreter(2, "trop d'arguments ; attendu, une scène, puis l'image à écrire : " + fichier + " image.png");
+        } else if (args.length == 2 && !args[1].toLowerCase(Locale.ROOT).endsWith(".png")) {
+            arreter(2, "image impossible : « " + args[1] + " » ; attendu, un fichier dont le nom finit par .png");
+        } else if (args.length == 2 && Paths.get(args[1]).toAbsolutePath().equals(Paths.get(fichier).toAbsolutePath())) {
+            arreter(2, "l'image effacerait la scène : " + fichier);
         }
-        if (args.length > 1) {
+        Main main = null;
+        try {
+            main = new Main(new Scene(fichier));
+        } catch (IllegalArgumentException e) {
+            arreter(2, e.getMessage());
+        }
+        if (args.length == 2) {
             main.doTracerImage(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
-            ImageIO.write(main.image, "png", new File(args[1]));
+            main.ecrire(args[1]);
         } else {
-            exigerUnEcran();
+            exigerUnEcran(fichier);
             SwingUtilities.invokeLater(main::ouvrirFenetre);
         }
     }
 
-    private static void exigerUnEcran() {
+    private static void arreter(int statut, String pourquoi) {
+        System.err.println(pourquoi);
+        System.exit(statut);
+    }
+
+    private void ecrire(String fichier) {
+        try {
+            ByteArrayOutputStream octets = new ByteArrayOutputStream();
+            ImageIO.write(image, "png", octets);
+            Files.write(Paths.get(fichier), octets.toByteArray());
+        } catch (IOException e) {
+            arreter(1, "écriture impossible : " + fichier + " ; attendu, un fichier d'un dossier qui existe, et où vous pouvez écrire");
+        }
+    }
+
+    private static void exigerUnEcran(String fichier) {
         try {
             GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
         } catch (HeadlessException | AWTError e) {
-            System.err.println("Pas d'écran ici. Un second argument, image.png par exemple, dit où écrire l'image, "
-                    + "sans ouvrir de fenêtre.");
-            System.exit(1);
+            arreter(1, "Pas d'écran ici. Sans fenêtre : make IMAGE=image.png, ou java -jar target/lancer-base.jar " + fichier + " image.png");
         }
     }
 
