@@ -93,7 +93,9 @@ final class Programme {
             if (!Files.exists(corrige)) {
                 Map<String, String> tout = SourcesDuCours.tout(SourcesDuCours::corrige);
                 SourcesDuCours.VERIFICATIONS.forEach(v -> tout.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
-                tout.put("lancer/Etapes", SourcesDuCours.ressource("projet/src/test/java/lancer/Etapes.java"));
+                for (String classe : new String[] {"lancer/Etapes", "lancer/ImageAttendue"}) {
+                    tout.put(classe, SourcesDuCours.ressource("projet/src/test/java/" + classe + ".java"));
+                }
                 compiler(tout, corrige, System.getProperty("java.class.path"));
             }
             Map<String, byte[]> classes = new HashMap<>(lire(corrige));

@@ -1,5 +1,6 @@
 package lancer.correction;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -92,11 +93,39 @@ class SqueletteTest extends ClasseEssai {
                 + System.getProperty("java.class.path"), "--release", "8", "-proc:none"));
         BufferedImage image = dessiner(dossier.resolve("classes"), projet.resolve("scenes/scene1.ini"));
         assertTrue(Arrays.stream(image.getRGB(0, 0, 800, 600, null, 0, 800)).allMatch(c -> c == 0xFF00FF00));
-        String java = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
-        Process sansEcran = new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", dossier.resolve("classes") + File.pathSeparator
-                + ini4j(), "lancer.Main", projet.resolve("scenes/scene1.ini").toString()).redirectErrorStream(true).start();
-        String dit = new String(sansEcran.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertTrue(dit.matches("Pas d'.cran ici\\. Un second argument, image\\.png[^\n]*\n") && sansEcran.waitFor() == 1, dit);
+        contient(main(projet, "scenes/scene1.ini"), "statut 1 : Pas d'", "make IMAGE=image.png");
+        // une scène n'est jamais écrasée, et un dossier au-dessus a les siennes
+        contient(main(projet, "scenes/scene1.ini", "scenes/ombres.ini"), "statut 2 : image impossible");
+        contient(main(projet, "scenes/scene1.ini", "absent/image.png"), "statut 1 : ", "criture impossible : absent/image.png");
+        contient(main(projet, "scenes/scene1.ini scenes/ombres.ini", "image.png"), "statut 2 : sc", "introuvable");
+        assertEquals("statut 0 : ", main(projet.resolve("src/main"), "scenes/scene1.ini", "une image.PNG"));
+        assertEquals(SourcesDuCours.scene("ombres"), Files.readString(projet.resolve("scenes/ombres.ini")));
+    }
+
+    /** Le statut du programme d'un projet lancé dans ce dossier, et l'unique ligne qu'il dit, s'il en dit une. */
+    private String main(Path ici, String... arguments) throws Exception {
+        List<String> commande = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true", "-cp", dossier.resolve("classes") + File.pathSeparator + ini4j(), "lancer.Main"));
+        commande.addAll(List.of(arguments));
+        Process main = new ProcessBuilder(commande).directory(ici.toFile()).redirectErrorStream(true).start();
+        String dit = new String(main.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(dit.matches("([^\n]+\n)?"), dit);
+        return "statut " + main.waitFor() + " : " + dit;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"4, scene", "5, lambert", "6, phong", "7, ombres", "8, reflets"})
+    void lImageAttendueAUneEtapeEstCelleDuCorrigeCoupeLa(int etape, String nom) throws Exception {
+        Path scene = Files.writeString(dossier.resolve("scene.ini"), SourcesDuCours.scene(nom.equals("lambert") ? "diffus" : "scene1"));
+        Method tracer = new Programme(dossier).couper(etape).chargeur().loadClass("lancer.ImageAttendue")
+                .getDeclaredMethod("tracer", String.class, int.class, int.class);
+        tracer.setAccessible(true);
+        BufferedImage image = (BufferedImage) tracer.invoke(null, scene.toString(), 120, 90);
+        Path fichier = Path.of("src/modele/projet", SourcesDuCours.ATTENDUES, nom + ".png");
+        if (Boolean.getBoolean("references.refaites")) {
+            ImageIO.write(image, "png", fichier.toFile());
+        }
+        assertArrayEquals(image.getRGB(0, 0, 120, 90, null, 0, 120), ImageIO.read(fichier.toFile()).getRGB(0, 0, 120, 90, null, 0, 120));
     }
 
     @ParameterizedTest
@@ -106,7 +135,9 @@ class SqueletteTest extends ClasseEssai {
         "[Sphere a];rayon=1;centre=0,5 0 6 | :3, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, avec un point décimal ; "
             + "obtenu, « 0,5 0 6 »",
         "[Sphere a];rayon=1;[Sphere b];centre=0 0 6 | :1, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, une fois",
-        "[Sphere a];centre=0 0 6;rayon=1;rayon=2 | :4, [Sphere a], rayon : attendu, un nombre, une fois"})
+        "[Sphere a];centre=0 0 6;rayon=1;rayon=2 | :4, [Sphere a], rayon : attendu, un nombre, une fois",
+        "[Sphere a];CENTRE=0 0 6;rayon=1;kd=1 1 1;nss=3 | :5, [Sphere a], nss : attendu, l'une des clés centre, rayon, Kd, Ks, Kr, ns",
+        "[Sphère a];centre=0 0 6;rayon=1 | :1, [Sphère a] : attendu, une section [Sphere …] ou [Lampe …]"})
     void uneSceneFautiveEstRefuseeAvecSaLigne(String scene, String refus) throws Exception {
         Path fichier = Files.writeString(dossier.resolve("fautive.ini"), "\uFEFF" + scene.trim().replace(";", "\n") + "\n");
         InvocationTargetException leve = assertThrows(InvocationTargetException.class, () -> new Programme(dossier).chargeur()
@@ -254,7 +285,7 @@ class SqueletteTest extends ClasseEssai {
     @Test
     void lesTestsDuCorrigePassent() throws Exception {
         contient(makeTest(corrige("blinn")),
-                "Toutes les étapes sont faites : restent les images à regarder, et les extensions.\nstatut 0");
+                "Toutes les étapes sont faites : restent les extensions.\nstatut 0");
         for (String variante : List.of("antialias", "brume")) {
             Programme programme = new Programme(dossier);
             SourcesDuCours.acheve(variante).forEach((classe, texte) -> programme.ecrire(classe.replace("lancer/", ""), texte));

@@ -56,7 +56,13 @@ public final class SourcesDuCours {
 
     /** Fichiers du projet qui ne sont pas des classes du cours. */
     private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
+            "src/test/java/lancer/ImageAttendue.java",
             "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
+
+    /** Les étapes qui ont une image, et les scènes que ces images montrent. */
+    public static final List<String> ETAPES_DESSINEES = List.of("scene", "lambert", "phong", "ombres", "reflets");
+    private static final List<String> SCENES_DESSINEES = List.of("diffus", "scene1");
+    public static final String ATTENDUES = "src/test/resources/attendues/";
 
     private SourcesDuCours() {
     }
@@ -176,6 +182,8 @@ public final class SourcesDuCours {
         VERIFICATIONS.forEach(nom -> fichiers.put("src/test/java/" + nom + ".java", ressource("modele/" + nom + ".java")));
         SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
         PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
+        boolean extension = VARIANTES.contains(String.valueOf(variante));
+        SCENES_DESSINEES.stream().filter(s -> !extension).forEach(s -> fichiers.put(ATTENDUES + s + ".ini", scene(s)));
         Path racine = Path.of(dossier);
         try {
             String[] contenu = racine.toFile().list();
@@ -186,6 +194,12 @@ public final class SourcesDuCours {
                 Path chemin = racine.resolve(fichier.getKey());
                 Files.createDirectories(chemin.getParent());
                 Files.writeString(chemin, fichier.getValue());
+            }
+            for (String etape : extension ? List.<String>of() : ETAPES_DESSINEES) {
+                String image = ATTENDUES + etape + ".png";
+                try (InputStream png = SourcesDuCours.class.getResourceAsStream("/projet/" + image)) {
+                    Files.copy(png, racine.resolve(image));
+                }
             }
         } catch (IOException e) {
             throw new Panne(1, "écriture impossible : " + e);

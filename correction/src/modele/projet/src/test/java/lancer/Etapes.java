@@ -16,6 +16,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.platform.commons.support.HierarchyTraversalMode;
+import org.junit.platform.commons.support.ReflectionSupport;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.TestExecutionResult.Status;
 import org.junit.platform.engine.support.descriptor.MethodSource;
@@ -54,11 +58,14 @@ public class Etapes implements TestExecutionListener {
         StringBuilder bilan = new StringBuilder("\n");
         String detail = "";
         Manque aReprendre = null;
-        String suivante = "Toutes les étapes sont faites : restent les images à regarder, et les extensions.";
+        ImageAttendue image = null;
+        String suivante = "Toutes les étapes sont faites : restent les extensions.";
         for (TestIdentifier etape : etapes(fini)) {
             List<TestIdentifier> verifications = enOrdre(fini, etape);
             List<Manque> manques = verifications.stream().filter(v -> !reussie(v)).map(v -> new Manque(v, etape))
                     .collect(Collectors.toList());
+            ImageAttendue sienne = ImageAttendue.de(etape.getTags().iterator().next().getName());
+            image = aReprendre == null && manques.isEmpty() && sienne != null ? sienne : image;
             bilan.append(etape.getDisplayName()).append(" : ").append(verifications.size() - manques.size()).append('/')
                     .append(verifications.size());
             if (!manques.isEmpty()) {
@@ -71,13 +78,36 @@ public class Etapes implements TestExecutionListener {
                     detail = Stream.concat(Stream.of(premier), manques.stream()).map(Manque::toString).distinct()
                             .collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
+                    image = premier.rang == 0 && sienne != null ? sienne : image;
                 }
             }
             bilan.append('\n');
         }
-        if (bilan.length() > 1) {
-            System.out.println(bilan.append(detail).append('\n').append(suivante));
+        if (bilan.length() == 1) {
+            return;
         }
+        bilan.append(detail).append('\n');
+        if (!entier(fini)) {
+            suivante = "Seule une partie des vérifications est lancée : toute la classe Tests dit où vous en êtes."
+                    + (aReprendre == null ? "" : "\n" + suivante);
+        } else if (image != null) {
+            bilan.append(image.comparer()).append('\n');
+            suivante = aReprendre == null && image.fausse ? "L'étape suivante : l'image, que les vérifications ne voient pas toute" : suivante;
+        }
+        if (aReprendre != null && ImageAttendue.extension() != null) {
+            bilan.append("Cette copie est une extension : ce qu'elle change ne peut plus réussir, et c'est voulu.\n");
+        }
+        System.out.println(bilan.append(suivante));
+    }
+
+    /** Dit si toutes les vérifications de {@link Tests} sont lancées, sauf celles qu'un réglage du projet laisse de côté. */
+    private static boolean entier(TestPlan plan) {
+        List<String> exclues = Arrays.asList(System.getProperty("excludedGroups", "").split("\\W+"));
+        long toutes = Arrays.stream(Tests.class.getDeclaredClasses())
+                .filter(etape -> etape.isAnnotationPresent(Tag.class) && !exclues.contains(etape.getAnnotation(Tag.class).value()))
+                .mapToLong(etape -> ReflectionSupport.findMethods(etape, m -> m.isAnnotationPresent(Test.class),
+                        HierarchyTraversalMode.TOP_DOWN).size()).sum();
+        return etapes(plan).stream().mapToLong(etape -> enOrdre(plan, etape).size()).sum() >= toutes;
     }
 
     private static List<TestIdentifier> etapes(TestPlan plan) {
@@ -195,11 +225,8 @@ public class Etapes implements TestExecutionListener {
         static Lieu nomme(String classe, String dit) {
             String source = source(classe);
             Matcher champ = Pattern.compile("gardé dans un champ : (\\w+)").matcher(dit);
-            if (champ.find()) {
-                Matcher ecrit = Pattern.compile("(?m)^.*\\bstatic\\b[^(\\n]* " + champ.group(1) + " *[=;]").matcher(source);
-                if (ecrit.find()) {
-                    return new Lieu(classe, source, ecrit.start(), ecrit.end());
-                }
+            if (champ.find() && champ(classe, source, champ.group(1)) != null) {
+                return champ(classe, source, champ.group(1));
             }
             // un nom suivi d'un point est celui d'une classe ; si aucun n'est dit, celui de la méthode à compléter
             Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?")
@@ -207,6 +234,7 @@ public class Etapes implements TestExecutionListener {
             Lieu ou = null;
             while (ou == null && nom.find()) {
                 ou = methode(classe, source, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
+                ou = ou == null ? champ(classe, source, nom.group(1)) : ou;
             }
             return ou != null ? ou : new Lieu(classe, source, Math.max(0, source.indexOf("// FIXME")), source.length());
         }
@@ -217,6 +245,12 @@ public class Etapes implements TestExecutionListener {
             } catch (IOException e) {
                 return "";
             }
+        }
+
+        /** Un champ statique dans un texte ; {@code null} s'il n'y est pas. */
+        private static Lieu champ(String classe, String source, String nom) {
+            Matcher ecrit = Pattern.compile("(?m)^.*\\bstatic\\b[^(\\n]* " + nom + " *[=;]").matcher(source);
+            return ecrit.find() ? new Lieu(classe, source, ecrit.start(), ecrit.end()) : null;
         }
 
         /** Une méthode dans un texte, ou son FIXME s'il y est encore ; {@code null} si elle n'y est pas. */
