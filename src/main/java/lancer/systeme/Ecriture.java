@@ -189,7 +189,7 @@ public final class Ecriture<T> {
         }
     }
 
-    /** Met le fichier provisoire à sa place. Un refus peut ne durer qu'un instant, celui d'un antivirus : il y a dix essais. */
+    /** Met le fichier provisoire à sa place. Dix essais : un antivirus peut refuser un instant. */
     private void renommer() throws IOException {
         for (int essai = 1; ; essai++) {
             try {
