@@ -86,7 +86,7 @@ final class Captures {
     }
 
     private static String lire(Component texte) {
-        return texte instanceof JLabel ? ((JLabel) texte).getText() : ((JTextComponent) texte).getText();
+        return BancFenetre.delier(texte instanceof JLabel ? ((JLabel) texte).getText() : ((JTextComponent) texte).getText());
     }
 
     private static Component dans(Component composant, String nom) {
