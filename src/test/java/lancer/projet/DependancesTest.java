@@ -88,6 +88,13 @@ class DependancesTest {
     }
 
     @Test
+    void lEtatDeLaFenetreSePasseDAwtEtLaVueEtLeMoteurNeSeConnaissentPas() {
+        verifier("lancer\\.fenetre\\.etat\\..*", "(?!java\\.awt|javax\\.|lancer\\.fenetre\\.(moteur|vue)).*");
+        verifier("lancer\\.fenetre\\.moteur\\..*", "(?!lancer\\.fenetre\\.vue).*");
+        verifier("lancer\\.fenetre\\.vue\\..*", "(?!lancer\\.fenetre\\.moteur).*");
+    }
+
+    @Test
     void seuleLaLectureConnaitIni4jEtNEnPrendQueLeDecoupage() {
         verifier("lancer\\.(?!scene\\.).*", "(?!org\\.ini4j).*");
         verifier(".*", "(?!org\\.).*|org\\.ini4j\\.(Config|InvalidFileFormatException|spi\\.IniHandler|spi\\.IniParser)");
