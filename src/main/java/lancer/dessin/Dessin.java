@@ -24,7 +24,7 @@ public final class Dessin {
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
-    /** Nombre, à peu près, d'images qu'une fenêtre dessinera d'une scène, et de rayons par pixel d'un échantillonnage. */
+    /** Environ : images qu'une fenêtre dessinera d'une scène, et rayons par pixel d'un échantillonnage. */
     private static final int IMAGES_D_UNE_FENETRE = 10;
     private static final int RAYONS_ECHANTILLONNES = 4;
 
