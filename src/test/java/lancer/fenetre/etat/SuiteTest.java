@@ -28,7 +28,7 @@ class SuiteTest extends EssaiSuite {
     }
 
     @Test
-    void unReglageDePlusFaitDeuxEtatsEtUnDessin() {
+    void unReglageDePlusFaitUnSeulDessinEtCeQuiNeChangeRienNeFaitPasDEtat() {
         montrerLaBoule();
         Etat demande = arrive(suite -> suite.reflechir(true));
         fait("dessiner");
