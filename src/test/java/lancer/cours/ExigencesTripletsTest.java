@@ -116,6 +116,7 @@ class ExigencesTripletsTest {
             assertEquals(u.sub(v), Vecteur.sub(u, v));
             assertEquals(u.mul(3), Vecteur.mul(u, 3));
             assertEquals(u.div(3), Vecteur.div(u, 3));
+            assertEquals(new Vecteur(-1, -2, -3), u.neg());
             assertEquals(u.neg(), Vecteur.neg(u));
             assertEquals(u.dot(v), Vecteur.dot(u, v));
             Point p = new Point(1, 2, 3);
