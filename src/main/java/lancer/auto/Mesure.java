@@ -20,13 +20,13 @@ public final class Mesure {
 
     /** Nombre de pixels en dessous duquel leur dispersion ne donne pas d'intervalle. */
     private static final int ASSEZ = 6;
-    /** Part du carré de l'erreur que porte un seul des pixels tirés, au-dessus de laquelle ses semblables sont rares. */
+    /** Part du carré de l'erreur que porte un seul pixel tiré, au-dessus de laquelle ses semblables sont rares. */
     private static final double RARE = 0.3;
 
     /** L'erreur ; la plus grande de ses distances aux bornes de son intervalle de confiance à 95 %. */
     public final double erreur;
     public final double incertitude;
-    /** Faux si trop peu de pixels sont tirés, ou si aucun ne s'écarte de ses références : rien ne se sait des autres. */
+    /** Faux si trop peu de pixels sont tirés, ou si aucun ne s'écarte de ses références : rien ne se sait du reste. */
     public final boolean aUnIntervalle;
     private final boolean rienVu;
     /** Vrai si l'image a des détails si rares que l'échantillon n'en a rencontré qu'un. */
@@ -78,8 +78,8 @@ public final class Mesure {
     public String enMots() {
         double detail = Arrays.stream(poids).sum() / plusGrand / 3;
         return direLErreur() + (rares ? " hors détails rares" : "") + (plusGrand == 1 ? ""
-                : String.format(Locale.ROOT, " ; pixels tirés au hasard : un détail plus petit que 1/%.0f de l'image a pu "
-                + "échapper", detail));
+                : String.format(Locale.ROOT, " ; pixels tirés au hasard : un détail plus petit que 1/%.0f de l'image a "
+                + "pu échapper", detail));
     }
 
     private String direLErreur() {

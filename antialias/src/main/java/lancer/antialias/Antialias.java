@@ -72,6 +72,7 @@ public final class Antialias implements Variante {
     public String getNomCourt(Section proposee) {
         String n = proposee.mot("n", "" + N);
         return n.equals("1") ? "un rayon"
-                : (proposee.mot("methode", "coins") + " ").replace("partage ", "") + n + "/" + proposee.mot("seuil", "" + SEUIL);
+                : (proposee.mot("methode", "coins") + " ").replace("partage ", "") + n + "/"
+                        + proposee.mot("seuil", "" + SEUIL);
     }
 }

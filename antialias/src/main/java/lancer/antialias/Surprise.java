@@ -13,7 +13,7 @@ final class Surprise {
 
     /**
      * Note le carré de ce dont une couleur sort de l'étendue de quatre autres. Un bord ou un dégradé, même courbe, n'y
-     * est presque rien ; un détail plus petit qu'une case surprend, et en laisse deviner d'autres, que personne n'a vus.
+     * est presque rien ; un détail plus petit qu'une case surprend, et en laisse deviner d'autres, jamais vus.
      */
     void comparer(Couleur vue, Couleur a, Couleur b, Couleur c, Couleur d) {
         double carre = (carre(vue.r, a.r, b.r, c.r, d.r) + carre(vue.v, a.v, b.v, c.v, d.v)
@@ -37,8 +37,8 @@ final class Surprise {
     }
 
     /**
-     * Ce que ce pavé laisse craindre des autres. Ce qui n'a été vu qu'une fois mesure ce qui ne l'a pas été (I. J. Good,
-     * <i>The population frequencies of species</i>, 1953) : le carré d'un point, s'il dépasse la limite à lui seul et
+     * Ce que ce pavé laisse craindre des autres. Ce qui n'a été vu qu'une fois mesure ce qui ne l'a pas été (I. J.
+     * Good, <i>The population frequencies of species</i>, 1953) : le carré d'un point, s'il dépasse la limite à lui seul et
      * qu'il est le seul du pavé, en limites² ; moins la moitié du nombre de points comparés.
      */
     double getSoupcon(double limite) {

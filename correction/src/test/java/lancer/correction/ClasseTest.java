@@ -287,7 +287,8 @@ class ClasseTest extends ClasseEssai {
     void desPointsDonnesALaMainComptentEtToutesLesLignesFautivesSontNommeesSansRienNoter() throws IOException {
         Path ajustements = dossier.resolve("ajustements.csv");
         String titres = "id,critère,points,commentaire\n";
-        Files.writeString(ajustements, titres + "101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n104,lambert,25,\n");
+        Files.writeString(ajustements, titres
+                + "101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n104,lambert,25,\n");
         String index = Files.readString(dossier.resolve("index.html"));
         Essai essai = executer("--noter", "--sortie", dossier);
         assertEquals(2, essai.code);

@@ -190,7 +190,8 @@ class NotesTest extends ClasseEssai {
             // Excel finit ainsi les lignes d'un « CSV (Macintosh) »
             String fin = codage.equals("x-MacRoman") ? "\r" : "\n";
             Path feuille = dossier.resolve("codee.csv");
-            Files.write(feuille, ("Identifiant,Nom complet,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n" + lignes)
+            Files.write(feuille, ("Identifiant,Nom complet,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n"
+                    + lignes)
                     .replace("\n", fin).getBytes(codage));
             assertEquals(0, renoter("--notes", feuille).code, codage);
             String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), codage);

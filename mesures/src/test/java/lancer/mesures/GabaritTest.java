@@ -77,7 +77,8 @@ class GabaritTest {
                 .average().getAsDouble();
         Gabarit gabarit = new Gabarit(scene, L, H, 1, Gabarit.COTE, (i, j) -> true);
         assertEquals(1, erreur(gabarit, image) / Math.sqrt(carre), 0.03);
-        assertEquals(0, Arrays.stream(gabarit.carres(fine)).average().getAsDouble() / carre, 0.02, "la grille fine n'a presque pas d'erreur");
+        assertEquals(0, Arrays.stream(gabarit.carres(fine)).average().getAsDouble() / carre, 0.02,
+                "la grille fine n'a presque pas d'erreur");
     }
 
     /** La moyenne, dans chaque pixel, de {@code cote} fois {@code cote} points. */

@@ -11,7 +11,7 @@ import lancer.Vecteur;
 import lancer.dessin.Dessin;
 import lancer.scene.SceneLue;
 
-/** Ce que prennent et déplacent Maj et la souris, dans le plan parallèle à l'écran : une sphère, une étoile de lampe. */
+/** Ce que prennent et déplacent Maj et la souris, parallèlement à l'écran : une sphère, une étoile de lampe. */
 public final class Prise {
 
     private Prise() {

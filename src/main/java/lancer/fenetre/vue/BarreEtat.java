@@ -72,7 +72,8 @@ final class BarreEtat extends JPanel implements Vue {
     public Dimension getPreferredSize() {
         Dimension voulue = super.getPreferredSize();
         int ligne = getFontMetrics(resume.getFont()).getHeight();
-        return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE, voulue.height - resume.getPreferredSize().height + resume.getRows() * ligne);
+        return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
+                voulue.height - resume.getPreferredSize().height + resume.getRows() * ligne);
     }
 
     /** Dit la couleur d'un pixel. @param ou {@code null} pour aucun */

@@ -89,7 +89,7 @@ final class PanneauImage extends JPanel implements Vue {
         });
     }
 
-    /** Dit ce que fait la souris. La molette règle la loupe ; un bouton tenu tire l'image grossie, avec Maj une boule. */
+    /** Dit ce que fait la souris. La molette règle la loupe ; un bouton tenu tire l'image ou, avec Maj, une boule. */
     private final class Suiveur extends MouseAdapter {
 
         private Point appui = new Point();

@@ -39,7 +39,7 @@ public final class Cours {
         return ecrites;
     }
 
-    /** Les méthodes écrites comme celles du corrigé ; aucune, si elles ne sont pas assez longues, à elles toutes, pour ne pas l'être par hasard. */
+    /** Les méthodes écrites comme celles du corrigé ; aucune, si elles sont, toutes ensemble, si courtes que le hasard suffit. */
     Set<String> commeLeCorrige(Collection<Type> types) {
         Map<String, Signature> ecrites = ecrites(types, true);
         return ecrites.values().stream().mapToInt(m -> m.longueur).sum() < COPIE ? Set.of() : ecrites.keySet();

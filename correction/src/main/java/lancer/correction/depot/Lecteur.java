@@ -191,7 +191,7 @@ public final class Lecteur {
         return lue;
     }
 
-    /** Donne à une méthode la forme de son arbre, où chaque variable a pour nom son rang ; aucune, si beaucoup écriraient de même si peu. */
+    /** Donne à une méthode la forme de son arbre, où chaque variable a pour nom son rang ; aucune, si elle est courte. */
     private static void former(Signature lue, MethodTree methode, Set<String> variables) {
         Map<String, String> rangs = new HashMap<>();
         String forme = NOM.matcher(methode.getParameters() + " " + methode.getBody()).replaceAll(m -> variables.contains(m.group())

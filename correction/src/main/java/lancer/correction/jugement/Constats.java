@@ -91,7 +91,8 @@ final class Constats {
         siennes.forEach(f -> resultat.fautes.add(f.toString()));
         // là où git a laissé deux versions, ce que dit le compilateur ne sert à rien
         boolean coute = resultat.verdicts.values().stream().anyMatch(v -> v.neSeCompilePas() || v.etat == Etat.NON_EVALUABLE);
-        siennes.stream().filter(f -> coute && projet.texte(f.classe()) != null && !projet.texte(f.classe()).contains("\n>>>>>>> ")).findFirst()
+        siennes.stream().filter(f -> coute && projet.texte(f.classe()) != null && !projet.texte(f.classe()).contains("\n>>>>>>> "))
+                .findFirst()
                 .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f + " ; pour juger le reste, réparez-la dans une "
                         + "copie du rendu, et jugez cette copie"));
     }

@@ -128,7 +128,7 @@ final class JugeRendu implements AutoCloseable {
 
     /**
      * Impute les vérifications que la classe visée réussit seule, et rate avec les autres. Celles qui réussissent quand le corrigé remplace
-     * les classes fautives ne coûtent rien de plus. Les autres coûtent une seule vérification aux classes qui suffisent à les faire échouer.
+     * les classes fautives ne coûtent rien de plus. Les autres coûtent une seule vérification aux classes qui suffisent à l'échec.
      */
     private void imputer(List<Verification> cachees) throws Arret {
         List<String> siennes = changees(SourcesDuCours.classes());
@@ -224,7 +224,7 @@ final class JugeRendu implements AutoCloseable {
 
     /**
      * Les classes de l'étudiant que demandent les fautes de compilation qui ne sont pas dans le rendu : celle du corrigé qui ne se compile
-     * plus ; pour une des siennes, celles qu'elle emploie et qui ont plus de méthodes que le cours ou, à défaut, toutes celles qu'elle emploie.
+     * plus ; pour une des siennes, celles qu'elle emploie et qui ont plus de méthodes que le cours ou, à défaut, toutes.
      */
     private Set<String> necessaires(Assemblage assemblage, Set<String> siennes) {
         Set<String> necessaires = new LinkedHashSet<>();

@@ -41,7 +41,7 @@ public final class SourcesDuCours {
     /** Les extensions, dans l'ordre du cours. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    /** Ce qui vérifie un projet : les vérifications, ce qu'elles demandent, leurs valeurs, l'ordre des causes, les réponses qui changent. */
+    /** Ce qui vérifie un projet : les vérifications, ce qu'elles demandent, leurs valeurs, les causes, les réponses qui changent. */
     public static final List<String> VERIFICATIONS =
             List.of("lancer/Tests", "lancer/Demande", "lancer/Valeurs", "lancer/Causes", "lancer/Repetition");
 

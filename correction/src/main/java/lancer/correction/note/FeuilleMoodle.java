@@ -83,7 +83,8 @@ public final class FeuilleMoodle {
             String titres = texte.split("[\r\n]", 2)[0];
             char separateur = Stream.of(';', '\t').filter(c -> titres.indexOf(c) >= 0).findFirst().orElse(',');
             format = CSVFormat.DEFAULT.builder().setDelimiter(separateur)
-                    .setRecordSeparator(Stream.of("\r\n", "\n", "\r").filter(texte::contains).findFirst().orElse("\n")).setQuoteMode(QuoteMode.MINIMAL).get();
+                    .setRecordSeparator(Stream.of("\r\n", "\n", "\r").filter(texte::contains).findFirst().orElse("\n"))
+                    .setQuoteMode(QuoteMode.MINIMAL).get();
             lignes = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), format).stream()
                     .map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());
         } catch (Panne e) {

@@ -55,6 +55,6 @@ public final class Sorties {
         }
         FileSystemException faute = (FileSystemException) e;
         String raison = faute.getReason() == null ? "il manque" : faute.getReason();
-        return faute.getFile() + " : " + (e instanceof AccessDeniedException ? "accès interdit, ou ouvert dans un autre programme" : raison);
+        return faute.getFile() + " : " + (e instanceof AccessDeniedException ? "accès interdit, ou ouvert ailleurs" : raison);
     }
 }

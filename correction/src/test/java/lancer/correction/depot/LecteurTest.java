@@ -39,7 +39,8 @@ class LecteurTest {
             {"The method clamp(double, int, int) is undefined for the type Math", "clamp" + ailleurs},
             {"The method getFirst() is undefined for the type List<Lampe>", "getFirst" + ailleurs},
             {"The method norm() is undefined for the type lancer.Vecteur", ""}}) {
-            assertEquals("A.java:3 : " + une[1] + "le compilateur dit « " + une[0] + " »", new Faute("lancer/A.java", 3, une[0]).toString());
+            assertEquals("A.java:3 : " + une[1] + "le compilateur dit « " + une[0] + " »",
+                    new Faute("lancer/A.java", 3, une[0]).toString());
         }
     }
 

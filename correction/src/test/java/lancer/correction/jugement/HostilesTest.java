@@ -160,7 +160,8 @@ class HostilesTest extends JuryEssai {
             changer(sources, "Lancer", "this.scene = scene;", "this.scene = scene;\n"
                     + "for (StackTraceElement e : new Throwable().getStackTrace()) if (e.getMethodName().equals(\"dessiner\")) try {\n"
                     + "java.io.ByteArrayOutputStream o = new java.io.ByteArrayOutputStream();\n"
-                    + "java.io.DataOutputStream s = new java.io.DataOutputStream(o); s.writeInt(3); s.writeInt(" + forge[1] + "); " + forge[2]
+                    + "java.io.DataOutputStream s = new java.io.DataOutputStream(o); s.writeInt(3); s.writeInt(" + forge[1] + "); "
+                    + forge[2]
                     + "\no.writeTo(new java.io.FileOutputStream(java.io.FileDescriptor.out)); } catch (java.io.IOException x) { }\n");
         }
         Map<String, Resultat> resultats = juger(rendus, Confinement.essayer(), PATIENTES);

@@ -103,8 +103,10 @@ class ReferenceTest extends JuryEssai {
         List<Verification> notees = reference.verifications.stream().filter(v -> !v.etape.equals(Verification.REPETITION))
                 .collect(Collectors.toList());
         assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "vecteurs.uneCouleurNEstLimiteeQuALEcran",
-                "vecteurs.unTripletGardeSesCoordonnees", "vecteurs.lesConstantesSontCellesDuCours", "vecteurs.unContactGardeSonObjetEtSaDistance",
-                "rayons.leCielEstCeluiDuCours", "scene.sansDistanceIlNYAPasDeContact")), notees.stream().filter(v -> !v.compte).map(Verification::id)
+                "vecteurs.unTripletGardeSesCoordonnees", "vecteurs.lesConstantesSontCellesDuCours",
+                "vecteurs.unContactGardeSonObjetEtSaDistance",
+                "rayons.leCielEstCeluiDuCours", "scene.sansDistanceIlNYAPasDeContact")),
+                notees.stream().filter(v -> !v.compte).map(Verification::id)
                         .collect(Collectors.toCollection(TreeSet::new)));
         for (Verification v : notees) {
             assertEquals(v.compte, !reference.duSquelette(v).compte(), v.id() + " : seule parmi le corrigé, la classe de même");

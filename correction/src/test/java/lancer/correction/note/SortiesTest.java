@@ -33,7 +33,8 @@ class SortiesTest {
             Sorties sorties = new Sorties();
             sorties.ecrire(classe, new byte[] {1, 2});
             assertArrayEquals(new byte[] {1, 2}, Files.readAllBytes(dossier.resolve("classe-3.csv")));
-            assertEquals(List.of("classe.csv est tenu par un autre programme : ce qu'il faut y lire est dans classe-3.csv"), sorties.aCote());
+            assertEquals(List.of("classe.csv est tenu par un autre programme : ce qu'il faut y lire est dans classe-3.csv"),
+                    sorties.aCote());
         } finally {
             tient.destroy();
             tient.waitFor();
@@ -51,7 +52,7 @@ class SortiesTest {
 
     @Test
     void laReponseDuSystemeNeNommePasUneClasseDeJava() {
-        assertEquals("a.csv : accès interdit, ou ouvert dans un autre programme", Sorties.raison(new AccessDeniedException("a.csv")));
+        assertEquals("a.csv : accès interdit, ou ouvert ailleurs", Sorties.raison(new AccessDeniedException("a.csv")));
         assertEquals("a.csv : disque plein", Sorties.raison(new FileSystemException("a.csv", null, "disque plein")));
     }
 }
