@@ -1,5 +1,6 @@
 package lancer;
 
+import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.Method;
@@ -48,7 +49,9 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         private int rangSansFin = ORDRE.size();
         private String sansFin;
         private boolean commence;
-        private volatile Repetition.Bilan bilan;
+        /** Si {@link Repetition} a été demandé, et ce qu'il a trouvé ; {@code null}, rien. */
+        private boolean repete;
+        private Error garde;
         /** Ce que dit {@link Tests#ombreDeSoi}, vide si elle ne dit rien ; {@code null} : pas encore demandé. */
         private String ombre;
     }
@@ -68,7 +71,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     private static int rang(String classe, String... methodes) {
         for (int k = 0; k < ORDRE.size(); k++) {
             List<String> ligne = ORDRE.get(k);
-            if (ligne.get(0).equals(classe) && (ligne.size() == 1 || Arrays.asList(methodes).contains(ligne.get(1)))) {
+            if (ligne.get(0).equals(classe) && (ligne.size() == 1 || methodes.length == 0 || Arrays.asList(methodes).contains(ligne.get(1)))) {
                 return k;
             }
         }
@@ -105,7 +108,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         } catch (Throwable faute) {
             boolean abandonnee = faute instanceof TestAbortedException;
             String cause = qui.getTags().contains(Repetition.ETAPE) ? null
-                    : abandonnee ? cause(vu.bilan, rang) : cause(vu, rang, qui);
+                    : abandonnee ? garde(vu.garde, rang) : cause(vu, rang, qui);
             if (cause != null) {
                 throw new Demande.NonEvaluable(cause);
             }
@@ -118,19 +121,17 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     /** Répète les questions avant toutes les autres : ce qui est gardé l'est déjà après elles. */
     private static void commencer(Vu vu, long patience) {
-        if (patience > 0 && !vu.commence) {
-            vu.commence = true;
+        if (patience > 0 && !vu.repete) {
+            vu.repete = true;
             PrintStream sortie = System.out;
-            Repetition.Ecoute ecoute = new Repetition.Ecoute();
-            System.setOut(ecoute);
+            Ecoute ecoute = new Ecoute();
             try {
-                Repetition.Bilan[] fini = new Repetition.Bilan[1];
-                limiter(() -> fini[0] = new Repetition.Bilan(ecoute), patience, new Vu());
-                // ici, et non dans l'autre fil : abandonné, il finirait peut-être plus tard
-                vu.bilan = fini[0];
+                limiter(() -> Repetition.chercher(ecoute), patience, new Vu());
+                vu.garde = ecoute.affiche;
+            } catch (Demande.Garde garde) {
+                vu.garde = garde;
             } catch (Throwable sansFin) {
                 // les vérifications le disent
-                vu.bilan = new Repetition.Bilan();
             } finally {
                 System.setOut(sortie);
             }
@@ -147,7 +148,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (vu.rangSansFin < ORDRE.size()) {
             return null;
         }
-        String garde = cause(bilan(qui), rang);
+        String garde = garde(garde(qui), rang);
         if (garde != null) {
             return garde;
         }
@@ -163,28 +164,48 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     }
 
     /** Ce que garde une méthode d'un appel à l'autre, si cela peut expliquer un échec de ce rang ; {@code null} sinon. */
-    private static String cause(Repetition.Bilan bilan, int rang) {
-        return bilan != null && bilan.classe != null && rang(bilan.classe.getSimpleName(), bilan.methode) <= rang
-                ? bilan.dit : null;
+    private static String garde(Error trouve, int rang) {
+        Demande.Garde garde = trouve instanceof Demande.Garde ? (Demande.Garde) trouve : null;
+        return garde != null && rang(garde.classe.getSimpleName(), garde.methodes) <= rang ? garde.getMessage() : null;
     }
 
-    private static Repetition.Bilan bilan(ExtensionContext qui) {
+    private static Error garde(ExtensionContext qui) {
         Vu vu = vu(qui);
-        if (vu.bilan == null) {
+        if (!vu.repete) {
+            vu.repete = true;
             try {
-                vu.bilan = new Repetition.Bilan(null);
-            } catch (RuntimeException | StackOverflowError e) {
+                Repetition.chercher(null);
+            } catch (Demande.Garde garde) {
+                vu.garde = garde;
+            } catch (RuntimeException | IllegalAccessException | StackOverflowError e) {
                 // d'autres vérifications le disent
-                vu.bilan = new Repetition.Bilan();
             }
         }
-        return vu.bilan;
+        return vu.garde;
     }
 
     @Override
     public void postProcessTestInstance(Object instance, ExtensionContext qui) {
         if (instance instanceof Repetition) {
-            ((Repetition) instance).bilan = () -> bilan(qui);
+            ((Repetition) instance).faute = () -> garde(qui);
+        }
+    }
+
+    /** Ce qui s'affiche n'y va pas : la ligne qui, la première, a affiché quelque chose est gardée. */
+    private static final class Ecoute extends PrintStream {
+
+        private Error affiche;
+
+        Ecoute() {
+            super(new ByteArrayOutputStream());
+        }
+
+        @Override
+        public void write(byte[] octets, int debut, int combien) {
+            if (affiche == null) {
+                affiche = new Error("dessiner un pixel affiche du texte dans la console : une image en a 480 000");
+                affiche.setStackTrace(Arrays.stream(affiche.getStackTrace()).filter(Causes::deLEtudiant).toArray(StackTraceElement[]::new));
+            }
         }
     }
 

@@ -14,6 +14,7 @@ import org.opentest4j.TestAbortedException;
 @Target({ElementType.METHOD, ElementType.TYPE})
 public @interface Demande {
 
+    /** {@code Object} si la vérification ne la connaît pas : son échec est alors {@link Garde}. */
     Class<?> classe();
 
     /** Leurs noms, celui de la classe pour un constructeur ; aucun, si toutes peuvent être en cause. */
@@ -48,6 +49,22 @@ public @interface Demande {
         public NonEvaluable(String dit) {
             super("étape non évaluable : " + dit);
             this.dit = dit;
+        }
+    }
+
+    /** Échec de qui garde quelque chose d'un appel à l'autre : il dit lui-même la classe et la méthode en cause. */
+    final class Garde extends AssertionError {
+
+        private static final long serialVersionUID = 1;
+
+        public final Class<?> classe;
+        /** Aucune, si un champ est en cause. */
+        public final String[] methodes;
+
+        public Garde(String dit, Class<?> classe, String... methodes) {
+            super(classe.getSimpleName() + (methodes.length == 0 ? "" : "." + methodes[0]) + " : " + dit);
+            this.classe = classe;
+            this.methodes = methodes;
         }
     }
 }

@@ -106,7 +106,10 @@ final class JugeRendu implements AutoCloseable {
             verifications(v -> v.classe.equals("Lancer")).forEach(v -> toutes.verdicts.put(v.id(), parSeule.get(v.id())));
         }
         for (Verification v : reference.verifications) {
-            resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule.get(v.id())));
+            Verdict obtenu = toutes.verdicts.get(v.id());
+            // ce qui est gardé d'un appel à l'autre est dit, sans classe ni point
+            resultat.verdicts.put(v.id(), v.etape.equals(Verification.REPETITION) ? obtenu
+                    : conclure(v, obtenu, parSeule.get(v.id())));
         }
         verifications(v -> v.etape.equals(Verification.REPETITION) && resultat.verdicts.get(v.id()).rate())
                 .forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
@@ -165,8 +168,7 @@ final class JugeRendu implements AutoCloseable {
 
     /** Dit si une vérification qui vise cette classe ne rapporte pas ses points. */
     boolean aUneFaute(String classe) {
-        return !verifications(v -> v.classe.equals(classe) && !v.etape.equals(Verification.REPETITION)
-                && !resultat.verdicts.get(v.id()).compte()).isEmpty();
+        return !verifications(v -> v.classe.equals(classe) && !resultat.verdicts.get(v.id()).compte()).isEmpty();
     }
 
     List<Verification> verifications(Predicate<Verification> lesquelles) {

@@ -148,7 +148,8 @@ public class Etapes implements TestExecutionListener {
             while (cause.getCause() != null) {
                 cause = cause.getCause();
             }
-            String classe = Causes.demande(((MethodSource) qui.getSource().get()).getJavaMethod()).classe().getSimpleName();
+            String classe = (cause instanceof Demande.Garde ? ((Demande.Garde) cause).classe
+                    : Causes.demande(((MethodSource) qui.getSource().get()).getJavaMethod()).classe()).getSimpleName();
             Lieu lieu;
             String message;
             if (abandonnee || cause instanceof AssertionError) {
