@@ -48,7 +48,6 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         /** Le rang d'une méthode qui ne finit pas, et son nom. */
         private int rangSansFin = ORDRE.size();
         private String sansFin;
-        private boolean commence;
         /** Si {@link Repetition} a été demandé, et ce qu'il a trouvé ; {@code null}, rien. */
         private boolean repete;
         private Error garde;
@@ -102,7 +101,10 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             etape.skip();
             throw new Demande.NonEvaluable(vu.sansFin + " ne finit pas");
         }
-        commencer(vu, patience(qui));
+        if (patience(qui) > 0) {
+            // avant toutes les autres : ce qui est gardé l'est déjà après elles
+            repeter(vu, new Ecoute(), patience(qui));
+        }
         try {
             limiter(etape::proceed, patience(qui), vu);
         } catch (Throwable faute) {
@@ -119,18 +121,17 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         }
     }
 
-    /** Répète les questions avant toutes les autres : ce qui est gardé l'est déjà après elles. */
-    private static void commencer(Vu vu, long patience) {
-        if (patience > 0 && !vu.repete) {
+    /** Répète les questions, une seule fois. */
+    private static void repeter(Vu vu, Ecoute ecoute, long patience) {
+        if (!vu.repete) {
             vu.repete = true;
             PrintStream sortie = System.out;
-            Ecoute ecoute = new Ecoute();
             try {
                 limiter(() -> Repetition.chercher(ecoute), patience, new Vu());
-                vu.garde = ecoute.affiche;
+                vu.garde = ecoute == null ? null : ecoute.affiche;
             } catch (Demande.Garde garde) {
                 vu.garde = garde;
-            } catch (Throwable sansFin) {
+            } catch (Throwable inacheve) {
                 // les vérifications le disent
             } finally {
                 System.setOut(sortie);
@@ -170,18 +171,8 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     }
 
     private static Error garde(ExtensionContext qui) {
-        Vu vu = vu(qui);
-        if (!vu.repete) {
-            vu.repete = true;
-            try {
-                Repetition.chercher(null);
-            } catch (Demande.Garde garde) {
-                vu.garde = garde;
-            } catch (RuntimeException | IllegalAccessException | StackOverflowError e) {
-                // d'autres vérifications le disent
-            }
-        }
-        return vu.garde;
+        repeter(vu(qui), null, 0);
+        return vu(qui).garde;
     }
 
     @Override
