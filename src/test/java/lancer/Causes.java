@@ -70,7 +70,8 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     private static int rang(String classe, String... methodes) {
         for (int k = 0; k < ORDRE.size(); k++) {
             List<String> ligne = ORDRE.get(k);
-            if (ligne.get(0).equals(classe) && (ligne.size() == 1 || methodes.length == 0 || Arrays.asList(methodes).contains(ligne.get(1)))) {
+            if (ligne.get(0).equals(classe) && (ligne.size() == 1 || methodes.length == 0
+                    || Arrays.asList(methodes).contains(ligne.get(1)))) {
                 return k;
             }
         }
@@ -153,7 +154,8 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (garde != null) {
             return garde;
         }
-        if (demande(qui.getRequiredTestMethod()).classe() != Objet3D.class || qui.getRequiredTestMethod().getName().equals(Tests.OMBRE_DE_SOI)) {
+        if (demande(qui.getRequiredTestMethod()).classe() != Objet3D.class
+                || qui.getRequiredTestMethod().getName().equals(Tests.OMBRE_DE_SOI)) {
             return null;
         }
         if (vu.ombre == null) {

@@ -337,7 +337,8 @@ public class Tests extends Valeurs {
         void uneCouleurNEstLimiteeQuALEcran() {
             Couleur vive = new Couleur(1.5, -0.5, 0.25);
             verifier("new Couleur(1.5, -0.5, 0.25), fois 2", new Couleur(3, -1, 0.5), vive.mul(2));
-            dire(vive.r == 1.5 && vive.v == -0.5, "les composantes de new Couleur(1.5, -0.5, 0.25)", "1.5 et -0.5", vive.r + " et " + vive.v);
+            dire(vive.r == 1.5 && vive.v == -0.5, "les composantes de new Couleur(1.5, -0.5, 0.25)", "1.5 et -0.5",
+                    vive.r + " et " + vive.v);
             code("au-delà de 1, en dessous de 0, et NaN", 0xFF0000, new Couleur(1.5, -0.5, Double.NaN));
             code("entre 0 et 1", 0x3366CC, new Couleur(0.2, 0.4, 0.8));
         }
@@ -644,7 +645,8 @@ public class Tests extends Valeurs {
             plusProche("une grosse boule à " + nb(d) + ", devant une petite dont le centre est plus près", grosse, null, petite, grosse);
             for (int sens = -1; sens <= 1; sens += 2) {
                 Sphere premiere = boule(0, 0, sens * (d + r), r);
-                plusProche("rayon vers " + vers(0, 0, sens) + ", deux boules devant lui : la première", rayon(0, 0, 0, 0, 0, sens), premiere,
+                plusProche("rayon vers " + vers(0, 0, sens) + ", deux boules devant lui : la première", rayon(0, 0, 0, 0, 0, sens),
+                        premiere,
                         null, boule(0, 0, sens * (D + r), r), premiere);
             }
         }
@@ -769,7 +771,8 @@ public class Tests extends Valeurs {
             int L = entier(800, 300, 1500);
             int H = entier(600, 200, 1100);
             Sphere rouge = boule(teinte(0.8, 0, 0), NOIR, 1);
-            commeGetColor("le pixel du centre : getColor de la boule proche", scene(lampe(0, 0, -9), loin(), rouge), new Camera(L, H), L / 2, H / 2, 1);
+            commeGetColor("le pixel du centre : getColor de la boule proche", scene(lampe(0, 0, -9), loin(), rouge),
+                    new Camera(L, H), L / 2, H / 2, 1);
         }
 
         @Test @Order(11) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
@@ -929,7 +932,8 @@ public class Tests extends Valeurs {
         /** La même chose pour une lampe à une distance de 1 du contact (0, 0, 4). */
         private void reflet(String demande, Couleur attendue, Couleur Ks, double ns, double vx, double vz, double lx, double lz) {
             verifier(demande + " (contact " + point(0, 0, 4) + ", lampe en " + point(lx, 0, 4 + lz) + ")", attendue,
-                    eclat(c -> pres(attendue, c), Collections.singletonList(lampe(lx, 0, 4 + lz)), rayon(-vx, 0, 4 - vz, vx, 0, vz), Ks, ns));
+                    eclat(c -> pres(attendue, c), Collections.singletonList(lampe(lx, 0, 4 + lz)), rayon(-vx, 0, 4 - vz, vx, 0, vz),
+                            Ks, ns));
         }
 
         private Couleur deFace() {

@@ -115,8 +115,9 @@ abstract class Lecture<T> {
             @Override
             Double lire(String texte) {
                 boolean pourCent = texte.endsWith("%");
+                double max = pourCent ? 100 : 1;
                 double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
-                if (!(n >= 0 && n <= (pourCent ? 100 : 1))) {
+                if (!(n >= 0 && n <= max)) {
                     return null;
                 }
                 // une division arrondirait : 0.7 % doit donner exactement 0.007

@@ -164,8 +164,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /**
      * Note la réponse, puis cherche dans les listes l'objet suivant dont le rayon peut toucher l'enveloppe. Soit
-     * f = C − P et b = f·V : l'erreur sur f² − b² est au plus 512 u f². Coupée en méthodes plus courtes, recopiées dans chaque
-     * boucle, celle-ci ralentirait une première image de 1,18 à 1,36 fois.
+     * f = C − P et b = f·V : l'erreur sur f² − b² est au plus 512 u f². Coupée en méthodes plus courtes, recopiées dans
+     * chaque boucle, celle-ci ralentirait une première image de 1,18 à 1,36 fois.
      */
     private void chercher() {
         if (propose != AUCUN) {

@@ -13,7 +13,6 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;

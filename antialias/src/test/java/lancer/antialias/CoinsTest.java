@@ -7,7 +7,6 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.Sphere;
