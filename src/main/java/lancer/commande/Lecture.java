@@ -116,7 +116,7 @@ abstract class Lecture<T> {
             Double lire(String texte) {
                 boolean pourCent = texte.endsWith("%");
                 double max = pourCent ? 100 : 1;
-                double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
+                double n = Nombre.lire(texte.replaceFirst("%$", ""));
                 if (!(n >= 0 && n <= max)) {
                     return null;
                 }
