@@ -38,8 +38,8 @@ final class Surprise {
 
     /**
      * Ce que ce pavé laisse craindre des autres. Ce qui n'a été vu qu'une fois mesure ce qui ne l'a pas été (I. J.
-     * Good, <i>The population frequencies of species</i>, 1953) : le carré d'un point, s'il dépasse la limite à lui seul
-     * et qu'il est le seul du pavé, en limites² ; moins la moitié du nombre de points comparés.
+     * Good, <i>The population frequencies of species</i>, 1953) : le carré d'un point, s'il dépasse la limite à lui
+     * seul et qu'il est le seul du pavé, en limites² ; moins la moitié du nombre de points comparés.
      */
     double getSoupcon(double limite) {
         double tous = limite * limite * nombre;
