@@ -16,9 +16,9 @@ import javax.swing.plaf.InputMapUIResource;
 /** L'apparence des fenêtres : FlatLaf, sombre si le bureau l'est, ou l'apparence de Java si FlatLaf est absent. */
 public final class Apparence {
 
-    /** La taille ordinaire des textes, et celle de chaque sorte. */
+    /** La taille ordinaire des textes, et la police de chaque sorte. */
     private static int ordinaire;
-    private static final Map<Object, Float> ordinaires = new HashMap<>();
+    private static final Map<Object, Font> ordinaires = new HashMap<>();
 
     private Apparence() {
     }
@@ -61,14 +61,14 @@ public final class Apparence {
 
     /** Donne cette taille, en points, aux textes de tous les composants à venir. */
     static void donnerAuxTextes(int taille) {
-        UIDefaults defauts = UIManager.getLookAndFeelDefaults();
-        for (Object cle : new ArrayList<>(defauts.keySet())) {
-            Font police = cle.toString().endsWith("ont") ? defauts.getFont(cle) : null;
-            if (police != null) {
-                float sienne = ordinaires.computeIfAbsent(cle, k -> police.getSize2D());
-                UIManager.put(cle, new FontUIResource(police.deriveFont(taille * sienne / ordinaire)));
-            }
+        if (ordinaires.isEmpty()) {
+            // toutes d'abord : FlatLaf déduit les unes des autres
+            UIDefaults defauts = UIManager.getLookAndFeelDefaults();
+            new ArrayList<>(defauts.keySet()).stream().filter(cle -> cle.toString().endsWith("ont"))
+                    .filter(cle -> defauts.getFont(cle) != null).forEach(cle -> ordinaires.put(cle, defauts.getFont(cle)));
         }
+        ordinaires.forEach((cle, police) -> UIManager.put(cle,
+                new FontUIResource(police.deriveFont(taille * police.getSize2D() / ordinaire))));
     }
 
     /** Dit si le bureau a un thème sombre, quand Java le sait. */
