@@ -64,8 +64,9 @@ public final class Apparence {
         if (ordinaires.isEmpty()) {
             // toutes d'abord : FlatLaf déduit les unes des autres
             UIDefaults defauts = UIManager.getLookAndFeelDefaults();
-            new ArrayList<>(defauts.keySet()).stream().filter(cle -> cle.toString().endsWith("ont"))
-                    .filter(cle -> defauts.getFont(cle) != null).forEach(cle -> ordinaires.put(cle, defauts.getFont(cle)));
+            new ArrayList<>(defauts.keySet()).stream()
+                    .filter(cle -> cle.toString().endsWith("ont") && defauts.getFont(cle) != null)
+                    .forEach(cle -> ordinaires.put(cle, defauts.getFont(cle)));
         }
         ordinaires.forEach((cle, police) -> UIManager.put(cle,
                 new FontUIResource(police.deriveFont(taille * police.getSize2D() / ordinaire))));

@@ -178,7 +178,8 @@ public final class GraphiqueVitesse extends JPanel {
                 getHeight() - MARGE - HAUT + haut);
         for (double[] vers : PLACES) {
             double milieu = y(p) + vers[1] * (RAYON + haut / 2);
-            double gauche = x(p) - large / 2 + vers[0] * (2 * RAYON + large / 2);
+            double marge = vers[1] == 0 ? 2 * RAYON : 0;
+            double gauche = x(p) - large / 2 + vers[0] * (marge + large / 2);
             Rectangle2D place = new Rectangle2D.Double(gauche, milieu - haut / 2, large, haut);
             if (cadre.contains(place) && pris.stream().noneMatch(place::intersects) && essais.stream()
                     .noneMatch(autre -> ecart(place, autre) < ecart(place, p))) {
