@@ -128,9 +128,13 @@ public final class SceneLue {
     /**
      * La même scène, où cette clé d'un objet ou d'une lampe a cette valeur.
      *
-     * @throws SceneFautive si cette valeur est refusée, avec le message que ferait la lecture du fichier
+     * @throws SceneFautive si cette valeur est refusée, avec le message que ferait la lecture du fichier, ou si cette
+     *         section n'y est plus
      */
     public SceneLue avec(String section, String cle, String valeur) {
+        if (getChose(section) == null) {
+            throw TexteScene.pasUneFois(0, section, chemin.toString());
+        }
         SectionLue changee = getSection(section).changee(cle, valeur);
         SceneLue seule = new SceneLue(nom, chemin);
         origine(lue -> lue.nom.equals(section)).lecture.accept(changee, seule);

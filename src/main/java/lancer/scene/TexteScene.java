@@ -85,10 +85,15 @@ public final class TexteScene {
             }
         }
         if (fois != 1) {
-            throw new SceneFautive(SectionLue.message(fichier, 0, nom, null, fois == 0 ? "section absente du fichier"
-                    : "section donnée " + fois + " fois", "une section de ce nom"));
+            throw pasUneFois(fois, nom, fichier);
         }
         return trouve;
+    }
+
+    /** Ce qui se dit d'une section qui est là tant de fois, et non une. */
+    static SceneFautive pasUneFois(int fois, String nom, String fichier) {
+        return new SceneFautive(SectionLue.message(fichier, 0, nom, null, fois == 0 ? "section absente du fichier"
+                : "section donnée " + fois + " fois", "une section de ce nom"));
     }
 
     /** Ajoute à cette section, ouverte à sa ligne, les clés qu'elle a dans ce texte. @return la même section */

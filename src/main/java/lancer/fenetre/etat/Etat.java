@@ -350,7 +350,7 @@ public final class Etat {
         }
 
         Ecran choisir(String section) {
-            return new Ecran(Onglet.PIXEL, pixel, section, tout, remplie, loupe, police);
+            return new Ecran(onglet, pixel, section, tout, remplie, loupe, police);
         }
 
         Ecran deplier() {
@@ -447,8 +447,8 @@ public final class Etat {
 
     /** La section choisie ou, à défaut, du premier contact du pixel expliqué ; {@code null} s'il n'y en a pas. */
     public String getSectionChoisie() {
-        if (demande == null || ecran.choisie != null) {
-            return demande == null || demande.lue.getChose(ecran.choisie) == null ? null : ecran.choisie;
+        if (demande == null || demande.lue.getChose(ecran.choisie) != null) {
+            return demande == null ? null : ecran.choisie;
         }
         List<Segment> segments = explication.faite == null || explication.faite.inspection == null
                 ? Collections.emptyList() : explication.faite.inspection.getSegments();

@@ -424,7 +424,7 @@ public final class Suite extends Etat.Changement {
     /** La souris lâche ce qui est pris. Ce qu'elle n'a pas tiré est choisi : ses nombres se montrent. */
     public void lacher() {
         if (geste != null && geste.place.isEmpty()) {
-            ecran = ecran.choisir(geste.section);
+            ecran = ecran.choisir(geste.section).montrer(Onglet.PIXEL);
             tenue = false;
         } else if (geste != null) {
             dire(geste.place + " ; " + Etat.ctrl("E") + " l'écrit dans " + etat().getNom());
@@ -468,6 +468,8 @@ public final class Suite extends Etat.Changement {
             }
             demande = voulue;
             montre = montre.retenu();
+            // ses nombres restent, même si le pixel ne la voit plus
+            ecran = ecran.choisir(section);
             oublierLeRefus();
         } catch (SceneFautive e) {
             refuser(e.getMessage());

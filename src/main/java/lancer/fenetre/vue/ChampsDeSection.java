@@ -46,10 +46,13 @@ final class ChampsDeSection extends JPanel implements Vue {
     /** Une valeur. Ce qui s'y écrit reste, tant que la valeur est la même. */
     private final class Champ extends JTextField {
 
+        private final String sienne;
         private final String cle;
         private String valeur = "";
 
-        Champ(String cle) {
+        /** @param sienne sa section, même quand une autre se montre avant qu'il n'ait perdu le clavier */
+        Champ(String sienne, String cle) {
+            this.sienne = sienne;
             this.cle = cle;
             setName(cle);
             setColumns(cle.equals("rayon") || cle.equals("ns") ? 4 : 9);
@@ -84,8 +87,9 @@ final class ChampsDeSection extends JPanel implements Vue {
         private void changer(boolean parFleche) {
             String voulue = getText().trim();
             if (!voulue.equals(valeur)) {
-                String ici = section;
-                recevoir.accept(suite -> suite.changer(ici, cle, voulue, parFleche));
+                recevoir.accept(suite -> suite.changer(sienne, cle, voulue, parFleche));
+            } else if (isFocusOwner()) {
+                recevoir.accept(Suite::oublierLeRefus);
             }
         }
 
@@ -145,7 +149,7 @@ final class ChampsDeSection extends JPanel implements Vue {
     }
 
     private Champ poser(String cle) {
-        Champ champ = new Champ(cle);
+        Champ champ = new Champ(section, cle);
         JLabel nom = new JLabel(cle);
         nom.setLabelFor(champ);
         boolean second = champs.size() % 2 == 1;

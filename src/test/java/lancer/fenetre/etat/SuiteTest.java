@@ -316,6 +316,27 @@ class SuiteTest extends EssaiSuite {
         assertEquals("Sphere 1", etat.getSectionChoisie());
     }
 
+    /** 2.3 : des flèches poussent la boule hors du pixel qui la montrait. */
+    @Test
+    void lesNombresRestentCeuxDeLaSectionQueLOnChange() throws IOException {
+        montrerLaBoule();
+        arrive(suite -> suite.expliquer(new Pixel(16, 11)));
+        executer();
+        arrive(suite -> suite.changer("Sphere 1", "centre", "9 0.2 6", true));
+        executer();
+        assertEquals("Sphere 1", etat.getSectionChoisie());
+        arrive(suite -> suite.montrer(Onglet.REGLAGES));
+        arrive(suite -> suite.changer("Sphere 1", "ns", "41", false));
+        assertEquals(Onglet.REGLAGES, etat.ecran.onglet, "un champ quitté pour un autre onglet ne rouvre pas le sien");
+        fichier("boule.ini", ROUGE.replace("[Sphere 1]", "[Sphere 2]"));
+        arrive(Suite::relire);
+        arrive(suite -> suite.montrer(Onglet.PIXEL));
+        executer();
+        assertEquals("Sphere 2", etat.getSectionChoisie(), "à défaut, ceux de ce que voit le pixel");
+        arrive(suite -> suite.changer("Sphere 1", "ns", "42", false));
+        assertTrue(etat.avis.texte.contains("[Sphere 1] : section absente du fichier"), etat.avis.texte);
+    }
+
     @Test
     void echapLacheCeQuiEstTirePuisArretePuisFerme() {
         montrerLaBoule();
