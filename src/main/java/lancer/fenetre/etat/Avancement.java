@@ -10,25 +10,41 @@ public final class Avancement {
     private static final long RESTE_NS = 2_000_000_000;
 
     private final long debut = System.nanoTime();
+    /** Ce qui se fait : lecture, préparation, brouillon, puis dessin. */
+    private volatile String etape;
+    private volatile long debutDeLEtape;
+    /** De 0 à 1. */
     private volatile double partLue;
-    private volatile long debutDuDessin;
     /** 0 avant la fin. */
     private volatile long fin;
+
+    Avancement(String etape) {
+        this.etape = etape;
+    }
 
     public void lire(double part) {
         partLue = part;
     }
 
-    public void dessiner() {
-        debutDuDessin = System.nanoTime();
+    public void passer(String suivante) {
+        debutDeLEtape = System.nanoTime();
+        etape = suivante;
     }
 
     public void finir() {
         fin = System.nanoTime();
     }
 
-    double getPartLue() {
-        return partLue;
+    /** La part faite de la lecture, ou de l'image, de 0 à 1. @param dessin {@code null} avant son brouillon */
+    double getPart(Dessin dessin) {
+        if (dessin != null) {
+            return dessin.lancer.getAtelier().getAvancement();
+        }
+        return etape.equals("lecture") ? partLue : 0;
+    }
+
+    String direEtape(Dessin dessin) {
+        return etape + " " + (int) (100 * getPart(dessin)) + " %";
     }
 
     /** Le temps de ce travail, lecture comprise, au contraire de celui que donne le résumé d'une image. */
@@ -38,8 +54,8 @@ public final class Avancement {
 
     /** Le temps qui reste, d'après la part faite du dessin ; vide tant qu'il ne peut être estimé. */
     String direReste(Dessin dessin) {
-        long passe = System.nanoTime() - debutDuDessin;
-        double part = dessin.getAvancement();
+        long passe = System.nanoTime() - debutDeLEtape;
+        double part = dessin == null ? 0 : dessin.getAvancement();
         if (passe < RESTE_NS || part == 0) {
             return "";
         }

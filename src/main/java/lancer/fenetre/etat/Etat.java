@@ -6,11 +6,11 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.Lampe;
-import lancer.commande.Messages;
 import lancer.commande.Couple;
 import lancer.contrat.PixelFautif;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.fenetre.etat.Suite.Evenement;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Segment;
 import lancer.scene.SceneLue;
@@ -38,8 +38,8 @@ public final class Etat {
     public final boolean tenue;
     /** L'écriture en cours, ou {@code null}. */
     final Ecriture ecriture;
-    /** Ce qui attend de savoir que faire des changements ; {@code null} si rien n'est demandé. */
-    final Apres question;
+    /** Ce qui se fera une fois dit que faire des changements ; {@code null} si rien n'est demandé. */
+    final Evenement question;
     /** Ce qui est tiré, ou {@code null}. */
     public final Geste geste;
     /** Les changements à défaire, le dernier en tête, ou {@code null}. */
@@ -85,7 +85,7 @@ public final class Etat {
         Montre montre;
         boolean tenue;
         Ecriture ecriture;
-        Apres question;
+        Evenement question;
         Geste geste;
         Pile annulables;
         Avis avis;
@@ -210,32 +210,14 @@ public final class Etat {
         }
     }
 
-    /** Ce qui se fait quand les changements sont écrits, ou oubliés. */
-    static final class Apres {
-
-        static final Apres RIEN = new Apres(null);
-        static final Apres QUITTER = new Apres(null);
-
-        /** Le fichier à lire, ou {@code null}. */
-        final String fichier;
-
-        private Apres(String fichier) {
-            this.fichier = fichier;
-        }
-
-        static Apres ouvrir(String fichier) {
-            return new Apres(fichier);
-        }
-    }
-
     /** Une écriture en cours : la scène que contiendra le fichier, et ce qui se fera ensuite. */
     static final class Ecriture {
 
         final int numero;
         final SceneLue voulue;
-        final Apres ensuite;
+        final Evenement ensuite;
 
-        Ecriture(int numero, SceneLue voulue, Apres ensuite) {
+        Ecriture(int numero, SceneLue voulue, Evenement ensuite) {
             this.numero = numero;
             this.voulue = voulue;
             this.ensuite = ensuite;
@@ -483,13 +465,12 @@ public final class Etat {
                 fautes.add("l'image qui reste est celle de " + getNom());
             }
         }
-        Throwable echec = travail == null ? null : travail.progres.echec;
-        if (montre.direFautes() != null && (montre.entier || !enCours()) && !(echec instanceof Error)) {
+        if (travail != null && travail.faute != null) {
+            fautes.add(travail.faute);
+        } else if (montre.direFautes() != null && (montre.entier || !enCours())) {
             PixelFautif premier = montre.dessin.lancer.getAtelier().getFautes().getPremiere();
             fautes.add(montre.direFautes() + " ; le premier : "
                     + montre.dessin.demande.nommer(premier).getMessage());
-        } else if (echec != null && travail.progres.etape != Travail.Progres.Etape.LECTURE) {
-            fautes.add(Messages.message(echec));
         }
         return fautes;
     }

@@ -17,15 +17,13 @@ import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.fenetre.etat.Etat.Apres;
 import lancer.fenetre.etat.Etat.Avis.Sorte;
 import lancer.fenetre.etat.Etat.Ecrite;
 import lancer.fenetre.etat.Etat.Ecriture;
 import lancer.fenetre.etat.Etat.Geste;
 import lancer.fenetre.etat.Etat.Pile;
 import lancer.fenetre.etat.Etat.Source;
-import lancer.fenetre.etat.Travail.Progres;
-import lancer.fenetre.etat.Travail.Progres.Fin;
+import lancer.fenetre.etat.Travail.Fin;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
 import lancer.scene.SceneLue;
@@ -39,6 +37,7 @@ import lancer.texte.Texte;
 public final class Suite extends Etat.Changement {
 
     private static final NavigableSet<Integer> REFLEXIONS = new TreeSet<>(Arrays.asList(0, 1, 2, 5, 10));
+    private static final Evenement RIEN = suite -> { };
     private static final int POLICE_MIN = 10;
     private static final int POLICE_MAX = 32;
 
@@ -108,14 +107,14 @@ public final class Suite extends Etat.Changement {
 
     /** Ouvre cette scène, une fois que les changements de celle-ci sont écrits, ou que l'on y renonce. */
     public void ouvrir(String fichier) {
-        sansRienPerdre(Apres.ouvrir(fichier));
+        sansRienPerdre(suite -> suite.passerA(fichier));
     }
 
     public void quitter() {
-        sansRienPerdre(Apres.QUITTER);
+        sansRienPerdre(Suite::fermer);
     }
 
-    private void sansRienPerdre(Apres ensuite) {
+    private void sansRienPerdre(Evenement ensuite) {
         if (question != null) {
             return;
         }
@@ -129,13 +128,13 @@ public final class Suite extends Etat.Changement {
             String nom = etat().getNom();
             ordres.add((moteur, vue) -> vue.demanderDEcrire(nom));
         } else {
-            faire(ensuite);
+            ensuite.arriver(this);
         }
     }
 
     /** Réponse à ce qui est demandé des changements : les écrire. */
     public void accepterDEcrire() {
-        Apres ensuite = question;
+        Evenement ensuite = question;
         question = null;
         if (etat().seLit()) {
             arreter();
@@ -143,15 +142,15 @@ public final class Suite extends Etat.Changement {
         if (etat().estDeplace()) {
             commencerLEcriture(ensuite);
         } else {
-            faire(ensuite);
+            ensuite.arriver(this);
         }
     }
 
     /** De même : les oublier. */
     public void oublier() {
-        Apres ensuite = question;
+        Evenement ensuite = question;
         question = null;
-        faire(ensuite);
+        ensuite.arriver(this);
     }
 
     /** De même : rester. */
@@ -159,15 +158,10 @@ public final class Suite extends Etat.Changement {
         question = null;
     }
 
-    private void faire(Apres ensuite) {
-        if (ensuite == Apres.QUITTER) {
-            fermer();
-        } else if (ensuite.fichier != null) {
-            String fichier = ensuite.fichier;
-            source = new Source(fichier, null, null, null);
-            ordres.add((moteur, vue) -> moteur.surveiller(fichier));
-            lire();
-        }
+    private void passerA(String fichier) {
+        source = new Source(fichier, null, null, null);
+        ordres.add((moteur, vue) -> moteur.surveiller(fichier));
+        lire();
     }
 
     /** Ferme la fenêtre, quoi qui n'y soit pas écrit. */
@@ -186,7 +180,7 @@ public final class Suite extends Etat.Changement {
         }
         lacherLeGeste();
         if (ecriture != null) {
-            ecriture = new Ecriture(ecriture.numero, ecriture.voulue, Apres.ouvrir(source.fichier));
+            ecriture = new Ecriture(ecriture.numero, ecriture.voulue, Suite::relire);
         } else {
             lire();
         }
@@ -222,7 +216,6 @@ public final class Suite extends Etat.Changement {
 
     /** Réponse : ce dessin est préparé, et son brouillon commence. Sans image, il se montre aussitôt. */
     public void preparer(Dessin dessin) {
-        travail = travail.avec(new Progres(Progres.Etape.BROUILLON, dessin, Fin.AUCUNE, null));
         if (montre.dessin == null) {
             montrer(dessin, false);
         }
@@ -230,13 +223,13 @@ public final class Suite extends Etat.Changement {
 
     /** Réponse : chaque pixel de ce dessin a une couleur. */
     public void ebaucher(Dessin dessin) {
-        travail = travail.avec(new Progres(Progres.Etape.DESSIN, dessin, Fin.AUCUNE, null));
+        travail = travail.avec(dessin, Fin.AUCUNE);
         montrer(dessin, false);
     }
 
     /** Réponse : ce dessin est achevé. */
     public void achever(Dessin dessin) {
-        travail = travail.avec(new Progres(Progres.Etape.DESSIN, dessin, Fin.ACHEVE, null));
+        travail = travail.avec(dessin, Fin.ACHEVE);
         montrer(dessin, true);
         if (dessin.ecart != null) {
             dire(dessin.ecart);
@@ -245,11 +238,12 @@ public final class Suite extends Etat.Changement {
 
     /** Réponse : le travail a échoué. @param version celle du fichier, s'il se lisait */
     public void echouer(String version, Throwable echec) {
-        boolean enLisant = travail.progres.etape == Progres.Etape.LECTURE;
-        travail = travail.avec(travail.progres.fini(Fin.ECHEC, echec));
+        String faute = Messages.message(echec);
+        boolean enLisant = travail.demande == null;
         if (enLisant) {
-            source = new Source(source.fichier, version, Messages.message(echec), null);
+            source = new Source(source.fichier, version, faute, null);
         }
+        travail = travail.echoue(enLisant ? null : faute);
     }
 
     private void montrer(Dessin dessin, boolean entier) {
@@ -479,11 +473,11 @@ public final class Suite extends Etat.Changement {
     /** Ctrl+E : écrit les changements dans le fichier de leur scène. */
     public void ecrire() {
         if (etat().estDeplace() && question == null && !refuseDeChanger()) {
-            commencerLEcriture(Apres.RIEN);
+            commencerLEcriture(RIEN);
         }
     }
 
-    private void commencerLEcriture(Apres ensuite) {
+    private void commencerLEcriture(Evenement ensuite) {
         lacherLeGeste();
         SceneLue voulue = demande.lue;
         Ecrite contenue = ecrite;
@@ -495,11 +489,11 @@ public final class Suite extends Etat.Changement {
     /** Demande dans quel autre fichier écrire la scène. */
     public void demanderOuEcrire() {
         if (!refuseDeChanger() && question == null) {
-            proposerUnAutreFichier(null, Apres.RIEN);
+            proposerUnAutreFichier(null, RIEN);
         }
     }
 
-    private void proposerUnAutreFichier(String pourquoi, Apres ensuite) {
+    private void proposerUnAutreFichier(String pourquoi, Evenement ensuite) {
         question = ensuite;
         String fichier = demande.lue.nom;
         ordres.add((moteur, vue) -> vue.proposerEcrireSous(pourquoi, fichier));
@@ -507,14 +501,14 @@ public final class Suite extends Etat.Changement {
 
     /** Écrit la scène dans un autre fichier, qui s'ouvre. */
     public void ecrireSous(String fichier) {
-        Apres ensuite = question;
+        Evenement ensuite = question;
         question = null;
         if (refuseDeChanger()) {
             return;
         }
         lacherLeGeste();
         TexteScene texte = demande.lue.ecrireDans(ecrite.texte, ecrite.lue);
-        ecriture = new Ecriture(++numero, demande.lue, ensuite == Apres.RIEN ? Apres.ouvrir(fichier) : ensuite);
+        ecriture = new Ecriture(++numero, demande.lue, ensuite == RIEN ? suite -> suite.passerA(fichier) : ensuite);
         int celui = numero;
         ordres.add((moteur, vue) -> moteur.ecrireSous(celui, texte, fichier));
     }
@@ -530,15 +524,15 @@ public final class Suite extends Etat.Changement {
             source = new Source(source.fichier, texte.getVersion(), null, null);
         }
         dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
-        faire(faite.ensuite);
-        if (fusion && faite.ensuite == Apres.RIEN) {
+        faite.ensuite.arriver(this);
+        if (fusion && faite.ensuite == RIEN) {
             lire();
         }
     }
 
     /** Réponse : la scène n'a pu être écrite ; un autre fichier est proposé. */
     public void refuserDEcrire(String faute) {
-        Apres ensuite = ecriture.ensuite;
+        Evenement ensuite = ecriture.ensuite;
         ecriture = null;
         dire(faute, Sorte.RETENU);
         proposerUnAutreFichier(faute, ensuite);
@@ -754,7 +748,7 @@ public final class Suite extends Etat.Changement {
         if (taille.x != demande.largeur || taille.y != demande.hauteur) {
             demande = demande.avecTaille(taille.x, taille.y);
         }
-        boolean libre = travail == null || !travail.enCours() || travail.aSonBrouillon();
+        boolean libre = travail == null || !travail.enCours() || travail.dessin != null;
         boolean charge = travail != null && demande.equals(travail.demande);
         boolean fait = (travail == null || !travail.enCours()) && montre.entier
                 && demande.equals(montre.dessin.demande);

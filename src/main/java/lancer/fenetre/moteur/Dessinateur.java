@@ -42,10 +42,10 @@ final class Dessinateur extends Tache {
             if (commence[0] == null) {
                 commence[0] = dessin;
                 dessin.lancer.getAtelier().getFautes().tolerer();
-                avancement.dessiner();
+                avancement.passer("brouillon");
                 publish(suite -> suite.preparer(dessin));
             } else {
-                avancement.dessiner();
+                avancement.passer("dessin");
                 ebauche = suite -> suite.ebaucher(dessin);
                 publish(ebauche);
             }
@@ -59,6 +59,7 @@ final class Dessinateur extends Tache {
         version = celle;
         SceneLue scene = programme.lire(aLire, avancement::lire);
         Demande lue = demande == null ? new Demande(scene, options) : demande.avecLecture(scene);
+        avancement.passer("préparation");
         publish(suite -> suite.lue(celle, lue));
         return lue;
     }

@@ -76,8 +76,8 @@ class SuitesAuHasardTest extends EssaiSuite {
         }
         oublie &= etat.seLit() || etat.estDeplace() || etat.ecriture != null;
         assertTrue(etat.montre.dessin == null || !etat.montre.entier || etat.enCours()
-                || etat.montreUneAutre() || etat.montre.dessin.demande.equals(etat.demande) || etat.travail.progres.fin
-                != Travail.Progres.Fin.ACHEVE, "l'image est celle qui est demandée");
+                || etat.montreUneAutre() || etat.montre.dessin.demande.equals(etat.demande) || etat.travail.fin
+                != Travail.Fin.ACHEVE, "l'image est celle qui est demandée");
         assertTrue(etat.getOccupation() == null || etat.geste == null, "rien ne se tire pendant une lecture");
         assertTrue(!etat.seLit() || etat.ecriture == null, "rien ne s'écrit pendant une lecture");
         // aucun ordre pour rien : le même état n'en donne pas
@@ -108,7 +108,7 @@ class SuitesAuHasardTest extends EssaiSuite {
             executer();
             observer(Paths.get(etat.source.fichier));
             executer();
-            if (!etat.estDeplace() && etat.travail.progres.fin == Travail.Progres.Fin.ACHEVE && etat.question == null) {
+            if (!etat.estDeplace() && etat.travail.fin == Travail.Fin.ACHEVE && etat.question == null) {
                 assertEquals(Surveillance.version(etat.source.fichier), etat.source.version, "au repos, le fichier est lu");
             }
         }
