@@ -55,9 +55,11 @@ public final class SectionLue extends Section {
         }
     }
 
-    /** Les clés que son type lit, dans leur ordre. */
+    /** Les clés que son type lit, dans leur ordre ; de Ks et de son synonyme Kr, celle qui y est écrite, ou Ks. */
     public List<String> getCles() {
-        return new ArrayList<>(connues);
+        List<String> cles = new ArrayList<>(connues);
+        cles.remove(entree("Kr") == null ? "Kr" : "Ks");
+        return cles;
     }
 
     /** Les valeurs données, par clé, comme dans le fichier. */

@@ -56,6 +56,16 @@ class PlacesEcritesTest {
         return lue.avec(lue.getNomDeSection(chose), chose instanceof Lampe ? "position" : "centre", SceneLue.ecrire(place));
     }
 
+    /** Celles qui se changent dans la fenêtre. */
+    @Test
+    void lesClesDUneSectionSontCellesDeSonTypeEtKrParSonNom() throws IOException {
+        SceneLue lue = lire(scene("[Sphere a]\ncentre=0 0 1\nrayon=1\nKr=1 1 1\n[Sphere b]\ncentre=0 0 2\nrayon=1\n"
+                + "[Lampe]\nposition=0 0 0\ncouleur=1 1 1\n"));
+        assertEquals("[centre, rayon, Kd, Kr, ns]", lue.getSection("Sphere a").getCles().toString());
+        assertEquals("[centre, rayon, Kd, Ks, ns]", lue.getSection("Sphere b").getCles().toString());
+        assertEquals("[position, couleur]", lue.getSection("Lampe").getCles().toString());
+    }
+
     private static byte[] ecrits(SceneLue lue, SceneLue voulue) {
         return voulue.ecrireDans(lue.getTexte(), lue).getOctets();
     }

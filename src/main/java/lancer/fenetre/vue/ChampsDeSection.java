@@ -110,7 +110,7 @@ final class ChampsDeSection extends JPanel implements Vue {
             vider(null);
             return;
         }
-        List<String> cles = cles(lue);
+        List<String> cles = lue.getCles();
         if (!nom.equals(section) || !cles.equals(new ArrayList<>(champs.keySet()))) {
             vider(nom);
             cles.forEach(cle -> champs.put(cle, poser(cle)));
@@ -129,13 +129,6 @@ final class ChampsDeSection extends JPanel implements Vue {
             revalidate();
             repaint();
         }
-    }
-
-    /** Les clés de cette section : de Ks et de son synonyme Kr, celle qui y est écrite, ou Ks. */
-    private static List<String> cles(SectionLue lue) {
-        List<String> cles = new ArrayList<>(lue.getCles());
-        cles.remove(lue.contient("Kr") ? "Ks" : "Kr");
-        return cles;
     }
 
     /** La valeur écrite ou, à défaut, celle qui sert. */
