@@ -95,7 +95,7 @@ public final class Etat {
         int numero;
 
         Changement vider(Ecran vide, int largeur, int hauteur) {
-            source = new Source(null, null, null, null);
+            source = new Source(null, null, null, null, null);
             montre = new Montre(null, false, null, largeur, hauteur);
             avis = Avis.AUCUN;
             ecran = vide;
@@ -148,16 +148,23 @@ public final class Etat {
         final String faute;
         /** Celle qui n'est pas lue, parce qu'un changement n'est pas écrit ; {@code null} s'il n'y en a pas. */
         final String nouvelle;
+        /** La scène d'un autre fichier, que celle de ce fichier remplacera, changements compris ; ou {@code null}. */
+        final SceneLue quittee;
 
-        Source(String fichier, String version, String faute, String nouvelle) {
+        Source(String fichier, String version, String faute, String nouvelle, SceneLue quittee) {
             this.fichier = fichier;
             this.version = version;
             this.faute = faute;
             this.nouvelle = nouvelle;
+            this.quittee = quittee;
         }
 
         Source nouvelle(String autre) {
-            return new Source(fichier, version, faute, autre);
+            return new Source(fichier, version, faute, autre, quittee);
+        }
+
+        Source lue(String celle, String pourquoi) {
+            return new Source(fichier, celle, pourquoi, null, quittee);
         }
     }
 
@@ -445,10 +452,14 @@ public final class Etat {
         if (source.nouvelle == null) {
             return "";
         }
+        String change = Texte.echappe(new File(source.fichier).getName())
+                + " a changé sur le disque ; F5 le relit et oublie ce que vous avez changé";
+        if (montreUneAutre()) {
+            return change + " dans " + getNom() + ", " + ctrl("E") + " l'y écrit d'abord";
+        }
         return source.nouvelle.equals(Surveillance.ABSENT)
                 ? getNom() + " n'est plus sur le disque ; " + ctrl("E") + " écrit la scène dans un autre fichier"
-                : getNom() + " a changé sur le disque ; F5 le relit et oublie ce que vous avez changé, " + ctrl("E")
-                + " l'écrit dans le nouveau fichier";
+                : change + ", " + ctrl("E") + " l'écrit dans le nouveau fichier";
     }
 
     /** Ce qui a échoué et dont un clic n'a pas fermé le message, une ligne chacun. */

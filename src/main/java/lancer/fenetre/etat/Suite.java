@@ -100,7 +100,7 @@ public final class Suite extends Etat.Changement {
     /** La première scène, déjà lue, s'ouvre. */
     public void montrerLaPremiere(Demande lue) {
         TexteScene texte = lue.lue.getTexte();
-        source = new Source(lue.lue.nom, texte == null ? null : texte.getVersion(), null, null);
+        source = new Source(lue.lue.nom, texte == null ? null : texte.getVersion(), null, null, null);
         adopter(lue);
         ordres.add((moteur, vue) -> moteur.surveiller(lue.lue.nom));
     }
@@ -159,7 +159,7 @@ public final class Suite extends Etat.Changement {
     }
 
     private void passerA(String fichier) {
-        source = new Source(fichier, null, null, null);
+        source = new Source(fichier, null, null, null, demande == null ? null : demande.lue);
         ordres.add((moteur, vue) -> moteur.surveiller(fichier));
         lire();
     }
@@ -189,7 +189,7 @@ public final class Suite extends Etat.Changement {
     /** Lit le fichier demandé ; ce qui en était dit le reste jusqu'à la fin de la lecture. */
     private void lire() {
         lacherLeGeste();
-        source = new Source(source.fichier, null, source.faute, null);
+        source = source.lue(null, source.faute);
         montre = montre.retenu();
         avis = new Etat.Avis(avis.texte, avis.sorte, Collections.emptyList());
         String fichier = source.fichier;
@@ -210,7 +210,7 @@ public final class Suite extends Etat.Changement {
 
     /** Réponse : la scène est lue, et se prépare ; elle n'a plus de faute, même si elle n'est pas encore montrée. */
     public void lue(String version, Demande celle) {
-        source = new Source(source.fichier, version, null, null);
+        source = source.lue(version, null);
         travail = travail.lue(celle);
     }
 
@@ -241,7 +241,7 @@ public final class Suite extends Etat.Changement {
         String faute = Messages.message(echec);
         boolean enLisant = travail.demande == null;
         if (enLisant) {
-            source = new Source(source.fichier, version, faute, null);
+            source = source.lue(version, faute);
         }
         travail = travail.echoue(enLisant ? null : faute);
     }
@@ -276,18 +276,15 @@ public final class Suite extends Etat.Changement {
 
     /** Le fichier de ce nom est à cette version. Celle que cette fenêtre a lue ou écrite ne lui apprend rien. */
     public void voirLeFichier(String fichier, String version) {
-        Etat present = etat();
-        if (!fichier.equals(source.fichier) || present.getOccupation() != null) {
+        if (!fichier.equals(source.fichier) || etat().getOccupation() != null) {
             return;
         }
         if (source.version == null || version.equals(source.version)) {
             // d'une lecture arrêtée, la version n'est pas connue ; ou le fichier est revenu tel qu'il était
             boolean connue = source.version != null && source.nouvelle == null;
-            source = connue ? source : new Source(fichier, version, source.faute, null);
-        } else if (present.estDeplace() && !present.montreUneAutre()) {
-            source = version.equals(source.nouvelle) ? source : source.nouvelle(version);
-        } else {
-            lire();
+            source = connue ? source : source.lue(version, source.faute);
+        } else if (!version.equals(source.nouvelle)) {
+            source = source.nouvelle(version);
         }
     }
 
@@ -521,7 +518,7 @@ public final class Suite extends Etat.Changement {
                 faite.voulue.ecrireDans(ecrite.texte, ecrite.lue).getVersion());
         ecrite = new Ecrite(faite.voulue, texte);
         if (!sous && faite.voulue.nom.equals(source.fichier)) {
-            source = new Source(source.fichier, texte.getVersion(), null, null);
+            source = source.lue(texte.getVersion(), null);
         }
         dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
         faite.ensuite.arriver(this);
@@ -734,7 +731,8 @@ public final class Suite extends Etat.Changement {
 
     /** Le fichier qui a changé se lit dès que rien n'est plus à écrire. */
     private void accorderLeFichier() {
-        if (source.nouvelle != null && geste == null && ecriture == null && question == null && !etat().estDeplace()) {
+        boolean aEcrire = etat().estDeplace() && demande.lue != source.quittee;
+        if (source.nouvelle != null && geste == null && ecriture == null && question == null && !aEcrire) {
             lire();
         }
     }

@@ -267,6 +267,41 @@ class SuiteTest extends EssaiSuite {
         assertEquals(2, etat.getFautesALire().size(), "relue, elle se dit de nouveau");
     }
 
+    @Test
+    void ceQuOnARenonceAEcrireLaissePlaceALaSceneDemandeeDesQuElleEstCorrigee() throws IOException {
+        montrerLaBoule();
+        tirer();
+        Path fautive = fichier("fautive.ini", "fautif");
+        arrive(suite -> suite.ouvrir(fautive.toString()));
+        arrive(Suite::oublier);
+        executer();
+        fichier("fautive.ini", ROUGE);
+        observer(fautive);
+        executer();
+        assertEquals("lancer — fautive.ini", etat.getTitre("lancer"));
+        assertEquals(ROUGE, lu(boule));
+    }
+
+    @Test
+    void unChangementDeLImageQuiResteNeSePerdPasQuandLeFichierDemandeSeCorrige() throws IOException {
+        montrerLaBoule();
+        Path fautive = fichier("fautive.ini", "fautif");
+        arrive(suite -> suite.ouvrir(fautive.toString()));
+        executer();
+        tirer();
+        String tiree = section("centre");
+        fichier("fautive.ini", ROUGE);
+        observer(fautive);
+        executer();
+        assertEquals("fautive.ini a changé sur le disque ; F5 le relit et oublie ce que vous avez changé dans boule.ini, Ctrl+E l'y "
+                + "écrit d'abord", etat.getAlerte());
+        arrive(Suite::ecrire);
+        executer();
+        assertEquals(ROUGE.replace("0 0.2 6", tiree), lu(boule));
+        assertEquals("lancer — fautive.ini", etat.getTitre("lancer"));
+        assertFalse(etat.montreUneAutre());
+    }
+
     /** 2.3 : une valeur qui se tape, des flèches, et leur suite qui se défait d'un coup. */
     @Test
     void unNombreSeTapeSeRefuseEtSeDefait() throws IOException {

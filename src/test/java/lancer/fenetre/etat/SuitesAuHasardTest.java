@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 import org.junit.jupiter.api.Test;
 
@@ -19,8 +20,8 @@ class SuitesAuHasardTest extends EssaiSuite {
     private static final int LONGUEUR = 25;
 
     private final SplittableRandom hasard = new SplittableRandom(77);
-    /** Vrai si F5, ou une réponse, a voulu oublier ce qui n'est pas écrit. */
-    private boolean oublie;
+    /** La scène que F5, ou une réponse, a voulu oublier en dernier. */
+    private SceneLue oubliee;
 
     private final List<Suite.Evenement> gestes = Arrays.asList(suite -> suite.saisir(16, 11, 2), suite -> suite.tirer(18, 12),
             Suite::lacher, suite -> suite.changer("Sphere 1", "ns", "" + hasard.nextInt(50), hasard.nextInt(2) == 0),
@@ -45,7 +46,7 @@ class SuitesAuHasardTest extends EssaiSuite {
         } else if (tirage < 28) {
             fichiers.forEach(nom -> observer(dossier.resolve(nom)));
         } else if (tirage == 28) {
-            oublie = true;
+            oubliee = etat.demande.lue;
             arrive(Suite::relire);
         } else {
             arrive(suite -> suite.ouvrir(dossier.resolve(fichiers.get(hasard.nextInt(2))).toString()));
@@ -58,7 +59,7 @@ class SuitesAuHasardTest extends EssaiSuite {
         if (sous) {
             arrive(tirage < 15 ? Suite::rester : suite -> suite.ecrireSous(dossier.resolve("sous.ini").toString()));
         } else if (tirage < 10) {
-            oublie = true;
+            oubliee = etat.demande.lue;
             arrive(Suite::oublier);
         } else {
             arrive(tirage < 20 ? Suite::rester : Suite::accepterDEcrire);
@@ -72,9 +73,8 @@ class SuitesAuHasardTest extends EssaiSuite {
         if (avant.estDeplace() && !etat.estDeplace()) {
             boolean defait = etat.demande.lue == avant.ecrite.lue;
             boolean ecrit = avant.getOccupation() != null && avant.getOccupation().equals("écriture");
-            assertTrue(defait || ecrit || oublie, "perdu sans question : " + journal);
+            assertTrue(defait || ecrit || avant.demande.lue == oubliee, "perdu sans question : " + journal);
         }
-        oublie &= etat.seLit() || etat.estDeplace() || etat.ecriture != null;
         assertTrue(etat.montre.dessin == null || !etat.montre.entier || etat.enCours()
                 || etat.montreUneAutre() || etat.montre.dessin.demande.equals(etat.demande) || etat.travail.fin
                 != Travail.Fin.ACHEVE, "l'image est celle qui est demandée");
@@ -97,7 +97,6 @@ class SuitesAuHasardTest extends EssaiSuite {
             }
             etat = Etat.vide(32, 24, 12);
             attendus.clear();
-            oublie = false;
             montrerLaBoule();
             for (int pas = 0; pas < LONGUEUR; pas++) {
                 unPas(fichiers);
@@ -105,6 +104,7 @@ class SuitesAuHasardTest extends EssaiSuite {
             if (etat.question != null) {
                 arrive(Suite::rester);
             }
+            arrive(Suite::lacher);
             executer();
             observer(Paths.get(etat.source.fichier));
             executer();
