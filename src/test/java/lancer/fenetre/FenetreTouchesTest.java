@@ -121,9 +121,9 @@ class FenetreTouchesTest extends EssaiInspecteur {
         attendreEtape("la première étape", Etape.LAMBERT);
         attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
         banc.robot.keyPress(KeyEvent.VK_SPACE);
-        attendre("l'image d'avant", () -> banc.etat().tenue);
+        attendre("l'image d'avant", () -> banc.etat().montre.tenue);
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
-        attendre("puis celle-ci", () -> !banc.etat().tenue);
+        attendre("puis celle-ci", () -> !banc.etat().montre.tenue);
     }
 
     @Test

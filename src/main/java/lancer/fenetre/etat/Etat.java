@@ -34,8 +34,6 @@ public final class Etat {
     /** Le dernier travail commencé, ou {@code null}. */
     public final Travail travail;
     public final Montre montre;
-    /** Vrai tant qu'est tenue la touche qui montre l'image d'avant. */
-    public final boolean tenue;
     /** L'écriture en cours, ou {@code null}. */
     final Ecriture ecriture;
     /** Ce qui se fera une fois dit que faire des changements ; {@code null} si rien n'est demandé. */
@@ -57,7 +55,6 @@ public final class Etat {
         ecrite = c.ecrite;
         travail = c.travail;
         montre = c.montre;
-        tenue = c.tenue;
         ecriture = c.ecriture;
         question = c.question;
         geste = c.geste;
@@ -83,7 +80,6 @@ public final class Etat {
         Ecrite ecrite;
         Travail travail;
         Montre montre;
-        boolean tenue;
         Ecriture ecriture;
         Evenement question;
         Geste geste;
@@ -96,7 +92,7 @@ public final class Etat {
 
         Changement vider(Ecran vide, int largeur, int hauteur) {
             source = new Source(null, null, null, null, null);
-            montre = new Montre(null, false, null, largeur, hauteur);
+            montre = new Montre(null, false, null, false, new Couple(largeur, hauteur));
             avis = Avis.AUCUN;
             ecran = vide;
             explication = Explication.AUCUNE;
@@ -110,7 +106,6 @@ public final class Etat {
             ecrite = e.ecrite;
             travail = e.travail;
             montre = e.montre;
-            tenue = e.tenue;
             ecriture = e.ecriture;
             question = e.question;
             geste = e.geste;
@@ -134,8 +129,8 @@ public final class Etat {
     }
 
     private Object[] parties() {
-        return new Object[] {source, demande, ecrite, travail, montre, tenue, ecriture, question, geste, annulables,
-            avis, ecran, explication, mesures, numero};
+        return new Object[] {source, demande, ecrite, travail, montre, ecriture, question, geste, annulables, avis,
+            ecran, explication, mesures, numero};
     }
 
     /** Le fichier de la scène demandée en dernier, même fautif : celui du titre, de F5 et de la surveillance. */
@@ -188,27 +183,34 @@ public final class Etat {
         final boolean entier;
         /** Le dessin achevé avant le dernier changement ; {@code null} s'il n'y en a pas, ou s'il est trop grand. */
         public final Dessin avant;
-        /** La taille demandée par la ligne de commande. */
-        final int largeur;
-        final int hauteur;
+        /** Vrai tant qu'est tenue la touche qui montre l'image d'avant. */
+        public final boolean tenue;
+        /** Celle que demande la ligne de commande. */
+        final Couple taille;
 
-        Montre(Dessin dessin, boolean entier, Dessin avant, int largeur, int hauteur) {
+        Montre(Dessin dessin, boolean entier, Dessin avant, boolean tenue, Couple taille) {
             this.dessin = dessin;
             this.entier = entier;
             this.avant = avant;
-            this.largeur = largeur;
-            this.hauteur = hauteur;
+            this.tenue = tenue;
+            this.taille = taille;
         }
 
         Montre avec(Dessin autre, boolean acheve) {
-            return new Montre(autre, acheve, avant, largeur, hauteur);
+            return new Montre(autre, acheve, avant, tenue, taille);
+        }
+
+        Montre tenir(boolean pressee) {
+            return pressee == tenue ? this : new Montre(dessin, entier, avant, pressee, taille);
         }
 
         /** L'image achevée devient celle d'avant, sauf si elle est trop grande ou si c'est une vue. */
         Montre retenu() {
-            boolean gardee = entier && dessin.demande.vue == null;
-            return !gardee || avant == dessin ? this : new Montre(dessin, true,
-                    dessin.image.codes.length <= PIXELS_GARDES ? dessin : null, largeur, hauteur);
+            if (!entier || dessin.demande.vue != null || avant == dessin) {
+                return this;
+            }
+            Dessin garde = dessin.image.codes.length <= PIXELS_GARDES ? dessin : null;
+            return new Montre(dessin, true, garde, tenue && garde != null, taille);
         }
 
         /** Phrase qui donne le nombre de pixels fautifs ; {@code null} s'il n'y en a pas. */
@@ -421,7 +423,7 @@ public final class Etat {
 
     /** Le dessin dont se voit l'image : celui d'avant, tant que sa touche est tenue ; {@code null} avant le premier. */
     public Dessin getVisible() {
-        return tenue ? montre.avant : montre.dessin;
+        return montre.tenue ? montre.avant : montre.dessin;
     }
 
     /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
@@ -431,7 +433,7 @@ public final class Etat {
 
     /** Dit si les couleurs de l'image visible ne sont pas définitives. */
     public boolean estUnBrouillon() {
-        return !tenue && !montre.entier;
+        return !montre.tenue && !montre.entier;
     }
 
     /** La section choisie ou, à défaut, du premier contact du pixel expliqué ; {@code null} s'il n'y en a pas. */
@@ -511,7 +513,7 @@ public final class Etat {
         if (geste != null) {
             return geste.place;
         }
-        if (tenue) {
+        if (montre.tenue) {
             return "avant : " + resumer(montre.avant);
         }
         if (ecriture != null) {
@@ -540,8 +542,6 @@ public final class Etat {
 
     /** La taille à dessiner : celle que demande la ligne de commande ou, si elle la remplit, de la place de l'image. */
     Couple getTaille() {
-        return !ecran.remplie ? new Couple(montre.largeur, montre.hauteur)
-                : new Couple(ecran.loupe.remplir(montre.largeur, montre.hauteur, true),
-                ecran.loupe.remplir(montre.largeur, montre.hauteur, false));
+        return ecran.remplie ? ecran.loupe.remplir(montre.taille) : montre.taille;
     }
 }

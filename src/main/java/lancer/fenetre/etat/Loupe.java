@@ -1,6 +1,7 @@
 package lancer.fenetre.etat;
 
 import lancer.Point;
+import lancer.commande.Couple;
 import lancer.image.ImageMemoire;
 
 /**
@@ -40,9 +41,11 @@ public final class Loupe {
         return Math.min((double) largeur / l, (double) hauteur / h);
     }
 
-    /** La plus grande largeur, ou hauteur, d'une image de ces proportions qui tient dans la place. */
-    int remplir(int l, int h, boolean enLargeur) {
-        return Math.max(1, (int) Math.round(getRapport(l, h) * (enLargeur ? l : h)));
+    /** La plus grande taille d'une image de ces proportions qui tient dans la place. */
+    Couple remplir(Couple taille) {
+        double rapport = getRapport(taille.x, taille.y);
+        return new Couple((int) Math.max(1, Math.round(rapport * taille.x)),
+                (int) Math.max(1, Math.round(rapport * taille.y)));
     }
 
     /** Le rapport de la taille montrée de l'image à sa taille. */

@@ -416,7 +416,7 @@ public final class Suite extends Etat.Changement {
     public void lacher() {
         if (geste != null && geste.place.isEmpty()) {
             ecran = ecran.choisir(geste.section).montrer(Onglet.PIXEL);
-            tenue = false;
+            montre = montre.tenir(false);
         } else if (geste != null) {
             dire(geste.place + " ; " + Etat.ctrl("E") + " l'écrit dans " + etat().getNom());
         }
@@ -538,7 +538,7 @@ public final class Suite extends Etat.Changement {
     // ce qui se montre
 
     public void montrer(Onglet onglet) {
-        tenue = false;
+        montre = montre.tenir(false);
         if (demande != null || onglet == null) {
             ecran = ecran.montrer(onglet);
         }
@@ -552,7 +552,7 @@ public final class Suite extends Etat.Changement {
 
     /** Montre les rayons de ce pixel. */
     public void expliquer(Pixel pixel) {
-        tenue = false;
+        montre = montre.tenir(false);
         if (montre.dessin != null) {
             ImageMemoire image = montre.dessin.image;
             Pixel celui = pixel.dans(image.largeur, image.hauteur);
@@ -573,7 +573,7 @@ public final class Suite extends Etat.Changement {
 
     /** La touche qui montre l'image d'avant est tenue, ou non. */
     public void tenir(boolean pressee) {
-        tenue = pressee && montre.avant != null;
+        montre = montre.tenir(pressee && montre.avant != null);
     }
 
     /** Agrandit ou réduit deux fois autour de ce point de la place de l'image, en pixels de l'écran. */

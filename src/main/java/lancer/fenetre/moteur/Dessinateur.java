@@ -21,8 +21,6 @@ final class Dessinateur extends Tache {
     private final Avancement avancement;
     /** La version du fichier avant sa lecture. */
     private volatile String version;
-    /** L'ébauche, si elle est faite. */
-    private volatile Evenement ebauche;
 
     Dessinateur(int numero, Consumer<Evenement> recevoir, Programme programme, Reglages options, String aLire,
             Demande demande, Avancement avancement) {
@@ -43,11 +41,10 @@ final class Dessinateur extends Tache {
                 commence[0] = dessin;
                 dessin.lancer.getAtelier().getFautes().tolerer();
                 avancement.passer("brouillon");
-                publish(suite -> suite.preparer(dessin));
+                direAvantLaFin(suite -> suite.preparer(dessin));
             } else {
                 avancement.passer("dessin");
-                ebauche = suite -> suite.ebaucher(dessin);
-                publish(ebauche);
+                direAvantLaFin(suite -> suite.ebaucher(dessin));
             }
         });
         avancement.finir();
@@ -60,14 +57,8 @@ final class Dessinateur extends Tache {
         SceneLue scene = programme.lire(aLire, avancement::lire);
         Demande lue = demande == null ? new Demande(scene, options) : demande.avecLecture(scene);
         avancement.passer("préparation");
-        publish(suite -> suite.lue(celle, lue));
+        dire(suite -> suite.lue(celle, lue));
         return lue;
-    }
-
-    /** Une image achevée avant que son ébauche ne soit dite se montre seule. */
-    @Override
-    boolean seDitToujours(Evenement reponse) {
-        return reponse != ebauche;
     }
 
     @Override

@@ -46,7 +46,7 @@ final class Mesureur extends Tache {
             Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
             Essai fait = new Essai(moins.reglages, moins.durees.avec(dureeNs), mesure.erreur, mesure.incertitude);
             essais.put(fait.reglages, fait);
-            publish(suite -> suite.compter(fait));
+            dire(suite -> suite.compter(fait));
             moins = suivant();
         }
         return suite -> suite.finirLaMesure(null);

@@ -1,6 +1,6 @@
 package lancer.fenetre.moteur;
 
-import java.util.List;
+import java.awt.EventQueue;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
@@ -9,7 +9,7 @@ import lancer.fenetre.etat.Suite;
 import lancer.fenetre.etat.Suite.Evenement;
 
 /** Le travail d'un ordre, dans un fil à lui (cours, « Bilan intermédiaire »). Ses réponses sont des événements. */
-abstract class Tache extends SwingWorker<Evenement, Evenement> {
+abstract class Tache extends SwingWorker<Evenement, Void> {
 
     private final int numero;
     private final Consumer<Evenement> recevoir;
@@ -26,15 +26,18 @@ abstract class Tache extends SwingWorker<Evenement, Evenement> {
         recevoir.accept(Suite.reponse(numero, reponse));
     }
 
-    /** Ce qui s'est fait avant la fin ; d'un travail déjà fini, la fin seule se dit. */
-    @Override
-    protected void process(List<Evenement> reponses) {
-        reponses.stream().filter(reponse -> !isDone() || seDitToujours(reponse)).forEach(this::repondre);
+    /** Dit ce qui s'est fait avant la fin, sans attendre comme {@link #publish}. */
+    final void dire(Evenement reponse) {
+        EventQueue.invokeLater(() -> repondre(reponse));
     }
 
-    /** Dit si cette réponse compte même quand la tâche est finie. */
-    boolean seDitToujours(Evenement reponse) {
-        return true;
+    /** De même, sauf si la fin peut déjà se dire, et se dit seule. */
+    final void direAvantLaFin(Evenement reponse) {
+        EventQueue.invokeLater(() -> {
+            if (!isDone()) {
+                repondre(reponse);
+            }
+        });
     }
 
     @Override

@@ -255,7 +255,7 @@ final class PanneauImage extends JPanel implements Vue {
         if (getImage() != null) {
             Graphics2D g2 = (Graphics2D) g.create();
             peindre(g2);
-            if (etat.ecran.onglet == Onglet.PIXEL && !etat.tenue && etat.explication.faite != null
+            if (etat.ecran.onglet == Onglet.PIXEL && !etat.montre.tenue && etat.explication.faite != null
                     && etat.explication.faite.inspection != null) {
                 new Figure(etat.explication.faite.inspection).peindre(g2, getVue());
             }
