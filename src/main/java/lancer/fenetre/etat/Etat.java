@@ -10,7 +10,6 @@ import lancer.commande.Couple;
 import lancer.contrat.PixelFautif;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.fenetre.etat.Suite.Evenement;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Segment;
 import lancer.scene.SceneLue;
@@ -37,7 +36,7 @@ public final class Etat {
     /** L'écriture en cours, ou {@code null}. */
     final Ecriture ecriture;
     /** Ce qui se fera une fois dit que faire des changements ; {@code null} si rien n'est demandé. */
-    final Evenement question;
+    final Apres question;
     /** Ce qui est tiré, ou {@code null}. */
     public final Geste geste;
     /** Les changements à défaire, le dernier en tête, ou {@code null}. */
@@ -81,7 +80,7 @@ public final class Etat {
         Travail travail;
         Montre montre;
         Ecriture ecriture;
-        Evenement question;
+        Apres question;
         Geste geste;
         Pile annulables;
         Avis avis;
@@ -219,14 +218,28 @@ public final class Etat {
         }
     }
 
+    /** Ce qui se fait quand les changements sont écrits, ou oubliés. */
+    static final class Apres {
+
+        static final Apres RIEN = new Apres(null);
+        static final Apres QUITTER = new Apres(null);
+
+        /** Le fichier à lire, ou {@code null}. */
+        final String fichier;
+
+        Apres(String fichier) {
+            this.fichier = fichier;
+        }
+    }
+
     /** Une écriture en cours : la scène que contiendra le fichier, et ce qui se fera ensuite. */
     static final class Ecriture {
 
         final int numero;
         final SceneLue voulue;
-        final Evenement ensuite;
+        final Apres ensuite;
 
-        Ecriture(int numero, SceneLue voulue, Evenement ensuite) {
+        Ecriture(int numero, SceneLue voulue, Apres ensuite) {
             this.numero = numero;
             this.voulue = voulue;
             this.ensuite = ensuite;

@@ -17,6 +17,7 @@ import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.fenetre.etat.Etat.Apres;
 import lancer.fenetre.etat.Etat.Avis.Sorte;
 import lancer.fenetre.etat.Etat.Ecrite;
 import lancer.fenetre.etat.Etat.Ecriture;
@@ -37,7 +38,6 @@ import lancer.texte.Texte;
 public final class Suite extends Etat.Changement {
 
     private static final NavigableSet<Integer> REFLEXIONS = new TreeSet<>(Arrays.asList(0, 1, 2, 5, 10));
-    private static final Evenement RIEN = suite -> { };
     private static final int POLICE_MIN = 10;
     private static final int POLICE_MAX = 32;
 
@@ -107,14 +107,14 @@ public final class Suite extends Etat.Changement {
 
     /** Ouvre cette scène, une fois que les changements de celle-ci sont écrits, ou que l'on y renonce. */
     public void ouvrir(String fichier) {
-        sansRienPerdre(suite -> suite.passerA(fichier));
+        sansRienPerdre(new Apres(fichier));
     }
 
     public void quitter() {
-        sansRienPerdre(Suite::fermer);
+        sansRienPerdre(Apres.QUITTER);
     }
 
-    private void sansRienPerdre(Evenement ensuite) {
+    private void sansRienPerdre(Apres ensuite) {
         if (question != null) {
             return;
         }
@@ -128,13 +128,13 @@ public final class Suite extends Etat.Changement {
             String nom = etat().getNom();
             ordres.add((moteur, vue) -> vue.demanderDEcrire(nom));
         } else {
-            ensuite.arriver(this);
+            faire(ensuite);
         }
     }
 
     /** Réponse à ce qui est demandé des changements : les écrire. */
     public void accepterDEcrire() {
-        Evenement ensuite = question;
+        Apres ensuite = question;
         question = null;
         if (etat().seLit()) {
             arreter();
@@ -142,15 +142,15 @@ public final class Suite extends Etat.Changement {
         if (etat().estDeplace()) {
             commencerLEcriture(ensuite);
         } else {
-            ensuite.arriver(this);
+            faire(ensuite);
         }
     }
 
     /** De même : les oublier. */
     public void oublier() {
-        Evenement ensuite = question;
+        Apres ensuite = question;
         question = null;
-        ensuite.arriver(this);
+        faire(ensuite);
     }
 
     /** De même : rester. */
@@ -158,10 +158,14 @@ public final class Suite extends Etat.Changement {
         question = null;
     }
 
-    private void passerA(String fichier) {
-        source = new Source(fichier, null, null, null, demande == null ? null : demande.lue);
-        ordres.add((moteur, vue) -> moteur.surveiller(fichier));
-        lire();
+    private void faire(Apres ensuite) {
+        if (ensuite == Apres.QUITTER) {
+            fermer();
+        } else if (ensuite != Apres.RIEN) {
+            source = new Source(ensuite.fichier, null, null, null, demande == null ? null : demande.lue);
+            ordres.add((moteur, vue) -> moteur.surveiller(ensuite.fichier));
+            lire();
+        }
     }
 
     /** Ferme la fenêtre, quoi qui n'y soit pas écrit. */
@@ -180,7 +184,7 @@ public final class Suite extends Etat.Changement {
         }
         lacherLeGeste();
         if (ecriture != null) {
-            ecriture = new Ecriture(ecriture.numero, ecriture.voulue, Suite::relire);
+            ecriture = new Ecriture(ecriture.numero, ecriture.voulue, new Apres(source.fichier));
         } else {
             lire();
         }
@@ -470,11 +474,11 @@ public final class Suite extends Etat.Changement {
     /** Ctrl+E : écrit les changements dans le fichier de leur scène. */
     public void ecrire() {
         if (etat().estDeplace() && question == null && !refuseDeChanger()) {
-            commencerLEcriture(RIEN);
+            commencerLEcriture(Apres.RIEN);
         }
     }
 
-    private void commencerLEcriture(Evenement ensuite) {
+    private void commencerLEcriture(Apres ensuite) {
         lacherLeGeste();
         SceneLue voulue = demande.lue;
         Ecrite contenue = ecrite;
@@ -486,11 +490,11 @@ public final class Suite extends Etat.Changement {
     /** Demande dans quel autre fichier écrire la scène. */
     public void demanderOuEcrire() {
         if (!refuseDeChanger() && question == null) {
-            proposerUnAutreFichier(null, RIEN);
+            proposerUnAutreFichier(null, Apres.RIEN);
         }
     }
 
-    private void proposerUnAutreFichier(String pourquoi, Evenement ensuite) {
+    private void proposerUnAutreFichier(String pourquoi, Apres ensuite) {
         question = ensuite;
         String fichier = demande.lue.nom;
         ordres.add((moteur, vue) -> vue.proposerEcrireSous(pourquoi, fichier));
@@ -498,14 +502,14 @@ public final class Suite extends Etat.Changement {
 
     /** Écrit la scène dans un autre fichier, qui s'ouvre. */
     public void ecrireSous(String fichier) {
-        Evenement ensuite = question;
+        Apres ensuite = question;
         question = null;
         if (refuseDeChanger()) {
             return;
         }
         lacherLeGeste();
         TexteScene texte = demande.lue.ecrireDans(ecrite.texte, ecrite.lue);
-        ecriture = new Ecriture(++numero, demande.lue, ensuite == RIEN ? suite -> suite.passerA(fichier) : ensuite);
+        ecriture = new Ecriture(++numero, demande.lue, ensuite == Apres.RIEN ? new Apres(fichier) : ensuite);
         int celui = numero;
         ordres.add((moteur, vue) -> moteur.ecrireSous(celui, texte, fichier));
     }
@@ -521,15 +525,15 @@ public final class Suite extends Etat.Changement {
             source = source.lue(texte.getVersion(), null);
         }
         dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
-        faite.ensuite.arriver(this);
-        if (fusion && faite.ensuite == RIEN) {
+        faire(faite.ensuite);
+        if (fusion && faite.ensuite == Apres.RIEN) {
             lire();
         }
     }
 
     /** Réponse : la scène n'a pu être écrite ; un autre fichier est proposé. */
     public void refuserDEcrire(String faute) {
-        Evenement ensuite = ecriture.ensuite;
+        Apres ensuite = ecriture.ensuite;
         ecriture = null;
         dire(faute, Sorte.RETENU);
         proposerUnAutreFichier(faute, ensuite);
