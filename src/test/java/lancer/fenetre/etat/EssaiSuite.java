@@ -38,6 +38,8 @@ abstract class EssaiSuite {
     /** Les ordres donnés, en mots, dans leur ordre ; ceux que rien n'a encore exécutés, par numéro. */
     final List<String> journal = new ArrayList<>();
     final Map<Integer, Runnable> attendus = new HashMap<>();
+    /** Le nombre d'états publiés. */
+    int publies;
     /** Le sujet du dernier ordre de dessin, ou de lecture. */
     int dernier;
 
@@ -178,6 +180,7 @@ abstract class EssaiSuite {
     /** Voici ce qui arrive. @return l'état qui suit */
     Etat arrive(Suite.Evenement evenement) {
         Suite suite = Suite.apres(etat, evenement);
+        publies += suite.getEtat() == etat ? 0 : 1;
         etat = suite.getEtat();
         suite.getOrdres().forEach(ordre -> ordre.executer(moteur, vue));
         return etat;

@@ -42,6 +42,19 @@ class SuiteTest extends EssaiSuite {
     }
 
     @Test
+    void unReglageDePlusNePublieQueLaDemandeLeBrouillonLImageEtLExplicationFaiteUneFois() {
+        montrerLaBoule();
+        arrive(suite -> suite.expliquer(new Pixel(16, 11)));
+        executer();
+        journal.clear();
+        publies = 0;
+        arrive(suite -> suite.reflechir(true));
+        executer();
+        fait("dessiner", "expliquer 16 11");
+        assertEquals(4, publies);
+    }
+
+    @Test
     void laReponseDUnOrdreRemplaceNeChangeRien() {
         montrerLaBoule();
         arrive(suite -> suite.reflechir(true));
