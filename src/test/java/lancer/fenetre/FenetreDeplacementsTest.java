@@ -123,7 +123,6 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         assertEquals(0.123456789, centre().y);
         assertFalse(banc.bandeau.isVisible(), "le bas de l'image se voit");
         assertTrue(banc.resume().startsWith("[Sphere 1] ligne 1 : centre="), banc.resume());
-        banc.robot.keyRelease(KeyEvent.VK_SHIFT);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il revient", () -> centreIci().equals(avant));
         mener(de, 80, 0);

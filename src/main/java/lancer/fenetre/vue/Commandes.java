@@ -144,8 +144,11 @@ final class Commandes implements Vue {
     }
 
     private JMenu dessin() {
-        return menu("Dessin",
-                evenement("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", Etat::peutEchapper, Suite::echapper),
+        Commande echapper = evenement("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", Etat::peutEchapper,
+                Suite::echapper);
+        // ce qui est tiré l'est avec Maj
+        lierAussi(KeyStroke.getKeyStroke("shift ESCAPE"), echapper);
+        return menu("Dessin", echapper,
                 evenement("Défaire le changement", "ctrl Z", Etat::peutDefaire, Suite::defaire));
     }
 
