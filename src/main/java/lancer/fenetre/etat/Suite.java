@@ -99,8 +99,7 @@ public final class Suite extends Etat.Changement {
 
     /** La première scène, déjà lue, s'ouvre. */
     public void montrerLaPremiere(Demande lue) {
-        TexteScene texte = lue.lue.getTexte();
-        source = new Source(lue.lue.nom, texte == null ? null : texte.getVersion(), null, null, null);
+        source = new Source(lue.lue.nom, lue.lue.getTexte().getVersion(), null, null, null);
         adopter(lue);
         ordres.add((moteur, vue) -> moteur.surveiller(lue.lue.nom));
     }
@@ -372,15 +371,10 @@ public final class Suite extends Etat.Changement {
     /** Dit pourquoi la scène ne peut être changée, si elle ne peut l'être. */
     private boolean refuseDeChanger() {
         String occupation = etat().getOccupation();
-        if (occupation != null || demande == null) {
-            dire(occupation == null ? "" : occupation + " du fichier : la scène ne se change pas encore", Sorte.REFUS);
-            return true;
+        if (occupation != null) {
+            refuser(occupation + " du fichier : la scène ne se change pas encore");
         }
-        if (demande.lue.getTexte() == null) {
-            refuser("cette scène n'a pas de texte à changer");
-            return true;
-        }
-        return false;
+        return occupation != null || demande == null;
     }
 
     /** Maj et la souris prennent ce qui est là. @param portee la distance, en pixels, où se prend une étoile */
