@@ -1,83 +1,173 @@
 package lancer.fenetre.etat;
 
+import static org.junit.jupiter.api.Assertions.assertSame;
+
 import java.io.File;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import lancer.Main;
+import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.scene.EcritureScene;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 import lancer.scene.TexteScene;
+import lancer.texte.Nombre;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Une fenêtre sans écran ni fil : des événements, l'état qui suit, et les ordres, que l'essai exécute quand il veut. */
-abstract class EssaiSuite {
+/**
+ * Une fenêtre sans écran ni fil : des événements, l'état qui suit, et des ordres, dont l'essai fait venir les réponses une à une.
+ * Ce qui arrive a un nom, que suit parfois une valeur : « F5 », « clic 16 11 », « fichier ns=41 ».
+ */
+public abstract class EssaiSuite {
 
-    static final String ROUGE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\nKd=0.9 0.15 0.1\nKs=0.3 0.3 0.3\nns=40\n"
+    public static final String ROUGE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\nKd=0.9 0.15 0.1\nKs=0.3 0.3 0.3\nns=40\n"
             + "[Lampe 1]\nposition=-4 6 -3\ncouleur=0.9 0.9 0.85\n";
 
     @TempDir
-    Path dossier;
-    Path boule;
-    Reglages options;
-    Etat etat;
-    /** Les ordres donnés, en mots, dans leur ordre ; ceux que rien n'a encore exécutés, par numéro. */
-    final List<String> journal = new ArrayList<>();
-    final Map<Integer, Runnable> attendus = new HashMap<>();
-    /** Le nombre d'états publiés. */
-    int publies;
-    /** Le sujet du dernier ordre de dessin, ou de lecture. */
-    int dernier;
+    public Path dossier;
+    protected Path boule;
+    protected Reglages options;
+    protected Etat etat;
+    /** Les ordres donnés, en mots, dans leur ordre ; ceux à qui il reste à répondre, par numéro. */
+    protected final List<String> journal = new ArrayList<>();
+    protected final TreeMap<Integer, Attendu> attendus = new TreeMap<>();
+    /** Combien d'états ont suivi un autre, et le remplacent. */
+    protected int publies;
+    /** Ce qui est copié : un texte, ou une image ; et la scène lue change ainsi. */
+    protected Object copie;
+    protected Consumer<SceneLue> apresLecture = lue -> { };
+    private Avancement avancement;
+
+    /** Ce qui peut arriver, par son nom. */
+    protected final Map<String, Consumer<String>> arrivees = new LinkedHashMap<>();
+
+    {
+        geste("Ctrl+E", Suite::ecrire);
+        geste("Ctrl+Z", Suite::defaire);
+        geste("Échap", Suite::echapper);
+        geste("+", suite -> suite.reflechir(true));
+        geste("-", suite -> suite.reflechir(false));
+        geste("Espace", suite -> suite.tenir(true));
+        geste("F2", suite -> suite.montrer(Onglet.REGLAGES));
+        geste("F3", Suite::mesurer);
+        geste("Ctrl+R", Suite::remplir);
+        geste("Ctrl+Haut", suite -> suite.approcher(true));
+        geste("ferme le message", Suite::fermerLeMessage);
+        geste("écrire sous", Suite::demanderOuEcrire);
+        geste("saisit", suite -> suite.saisir(16, 11, 2));
+        geste("tire", suite -> suite.tirer(18, 11));
+        geste("lâche", Suite::lacher);
+        geste("droite", suite -> suite.aller(1, 0));
+        // au-delà, ce que le hasard ne tire pas
+        geste("F5", Suite::relire);
+        geste("lâche Espace", suite -> suite.tenir(false));
+        geste("Ctrl+Bas", suite -> suite.approcher(false));
+        geste("Ctrl+Q", Suite::quitter);
+        geste("Ctrl+S", Suite::enregistrer);
+        geste("Ctrl+C", Suite::copierLImage);
+        geste("Ctrl+Maj+C", Suite::copierLesReglages);
+        geste("répond Écrire", Suite::accepterDEcrire);
+        geste("répond Oublier", suite -> suite.oublier());
+        geste("répond Rester", Suite::rester);
+        geste("ne s'enregistre pas", suite -> suite.annoncer("disque plein", true));
+        geste("échoue", suite -> suite.echouer(null, new IllegalStateException("boum")));
+        geste("textes", (suite, points) -> suite.agrandir(Integer.parseInt(points)));
+        geste("vue", (suite, nom) -> suite.voir(nom.equals("image") ? null : nom));
+        geste("étape", (suite, nom) -> suite.choisirLEtape(Etape.valueOf(nom)));
+        geste("clic", (suite, ou) -> suite.expliquer(new Pixel(deux(ou)[0], deux(ou)[1])));
+        geste("va", (suite, pas) -> suite.aller(deux(pas)[0], deux(pas)[1]));
+        geste("place", (suite, taille) -> suite.placer(deux(taille)[0], deux(taille)[1]));
+        geste("vise", (suite, ou) -> suite.saisir(deux(ou)[0], deux(ou)[1], 2));
+        geste("tape", (suite, valeur) -> suite.changer("Sphere 1", valeur.split("=")[0], valeur.split("=")[1], false));
+        geste("flèche", (suite, valeur) -> suite.changer("Sphere 1", valeur.split("=")[0], valeur.split("=")[1], true));
+        geste("ouvre", (suite, nom) -> suite.ouvrir(dossier.resolve(nom).toString()));
+        geste("répond", (suite, nom) -> suite.ecrireSous(dossier.resolve(nom).toString()));
+        arrivees.put("suite", rien -> repondre(attendus.lastKey()));
+        arrivees.put("achève", rien -> executer());
+        arrivees.put("compte", rien -> publies = 0);
+        arrivees.put("lit", cent -> avancement.lire(Integer.parseInt(cent) / 100.0));
+        arrivees.put("observe", nom -> observer(nom.isEmpty() ? boule : dossier.resolve(nom)));
+        arrivees.put("fichier", valeur -> {
+            fichier("boule.ini", ROUGE.replaceFirst("\n" + valeur.split("=")[0] + "=.*", "\n" + valeur));
+            observer(boule);
+        });
+        arrivees.put("corrige", nom -> {
+            fichier(nom, ROUGE);
+            observer(dossier.resolve(nom));
+        });
+        arrivees.put("efface", rien -> {
+            faire(() -> Files.deleteIfExists(boule));
+            observer(boule);
+        });
+        arrivees.put("sans scène", rien -> etat = Etat.vide(32, 24, 12));
+        // un ordre que rien n'attend plus : sa réponse ne change rien
+        arrivees.put("l'ancien répond", rien -> {
+            Etat avant = etat;
+            repondre(attendus.firstKey());
+            assertSame(avant, etat);
+        });
+    }
 
     /** Ce qu'un moteur ferait plus tard est noté, et fait quand l'essai le demande. */
     private final Executant moteur = new Executant() {
 
         @Override
-        public void lire(int numero, String fichier, Demande avant, Avancement avancement) {
-            journal.add("lire " + new File(fichier).getName());
-            dernier = numero;
-            attendus.put(numero, () -> lireEtDessiner(numero, fichier, avant));
+        public void lire(int numero, String fichier, Demande avant, Avancement celui) {
+            avancement = celui;
+            attendre("lire " + new File(fichier).getName(), numero, () -> lireEtDessiner(fichier, avant, celui));
         }
 
         @Override
-        public void dessiner(int numero, Demande demande, Avancement avancement) {
-            journal.add("dessiner");
-            dernier = numero;
-            attendus.put(numero, () -> EssaiSuite.this.dessiner(numero, demande));
+        public void dessiner(int numero, Demande demande, Avancement celui) {
+            attendre("dessiner", numero, () -> EssaiSuite.this.dessiner(demande, celui));
         }
 
         @Override
         public void expliquer(int numero, Inspection inspection, Dessin dessin) {
-            journal.add("expliquer " + inspection.x + " " + inspection.y);
-            attendus.put(numero, () -> {
+            attendre("expliquer " + inspection.x + " " + inspection.y, numero, () -> {
                 inspection.faire(dessin::seRegardeDeuxFois);
-                repondre(numero, suite -> suite.raconter(new Explication.Faite(dessin, inspection, null, null)));
+                Recit recit = new Recit(inspection, Nombre::arrondir, Nombre::arrondirComposante);
+                return Arrays.asList(suite -> suite.raconter(new Explication.Faite(dessin, inspection, recit.raconter(), null)));
             });
         }
 
         @Override
-        public void mesurer(int numero, Dessin dessin, Map<Reglages, Essai> essais) {
-            journal.add("mesurer");
-            attendus.put(numero, () -> essais.values().forEach(essai -> {
-                for (int k = 0; k < 3; k++) {
-                    essais.computeIfPresent(essai.reglages, (r, e) -> new Essai(r, e.durees.avec(1_000_000_000), 1, 0.1));
-                    repondre(numero, suite -> suite.compter(essais.get(essai.reglages)));
+        public void mesurer(int numero, Dessin dessin, Map<Reglages, lancer.fenetre.etat.Essai> essais) {
+            attendre("mesurer", numero, () -> {
+                List<Suite.Evenement> faits = new ArrayList<>();
+                for (lancer.fenetre.etat.Essai essai : essais.values()) {
+                    lancer.fenetre.etat.Essai fait = essai;
+                    for (int k = 0; !fait.suffit(); k++) {
+                        fait = new lancer.fenetre.etat.Essai(essai.reglages, fait.durees.avec(1_000_000_000L * (1 + faits.size())), 1, 0.1);
+                        lancer.fenetre.etat.Essai celui = fait;
+                        faits.add(suite -> suite.compter(celui));
+                    }
                 }
-            }));
+                faits.add(suite -> suite.finirLaMesure(null));
+                return faits;
+            });
         }
 
         @Override
@@ -87,14 +177,12 @@ abstract class EssaiSuite {
 
         @Override
         public void ecrire(int numero, SceneLue voulue, SceneLue avant, TexteScene connu) {
-            journal.add("ecrire");
-            attendus.put(numero, () -> ecriture(numero, () -> EcritureScene.remplacer(voulue, avant, connu), voulue.nom, false));
+            attendre("ecrire", numero, () -> ecriture(() -> EcritureScene.remplacer(voulue, avant, connu), voulue.nom, false));
         }
 
         @Override
         public void ecrireSous(int numero, TexteScene texte, String fichier) {
-            journal.add("ecrire sous " + new File(fichier).getName());
-            attendus.put(numero, () -> ecriture(numero, () -> {
+            attendre("ecrire sous " + new File(fichier).getName(), numero, () -> ecriture(() -> {
                 EcritureScene.ecrire(texte, fichier);
                 return texte;
             }, fichier, true));
@@ -130,7 +218,7 @@ abstract class EssaiSuite {
 
         @Override
         public void proposerEcrireSous(String pourquoi, String fichier) {
-            journal.add("proposer " + (pourquoi == null ? "" : "après " + pourquoi.replaceFirst("^[^ ]* : ", "")));
+            journal.add("proposer " + (pourquoi == null ? "" : "après " + pourquoi.replace(dossier + File.separator, "")));
         }
 
         @Override
@@ -141,11 +229,13 @@ abstract class EssaiSuite {
         @Override
         public void copier(String texte) {
             journal.add("copier");
+            copie = texte;
         }
 
         @Override
         public void copier(ImageMemoire image) {
             journal.add("copier");
+            copie = image;
         }
 
         @Override
@@ -155,30 +245,68 @@ abstract class EssaiSuite {
     };
 
     @BeforeEach
-    void ouvrir() throws IOException {
+    void ouvrir() {
         boule = fichier("boule.ini", ROUGE);
-        options = Options.lire("--taille=32x24", boule.toString());
+        options = Options.lire("--taille=32x24", "--fils=1", boule.toString());
         etat = Etat.vide(32, 24, 12);
     }
 
-    Path fichier(String nom, String texte) throws IOException {
-        return Files.write(dossier.resolve(nom), texte.getBytes(StandardCharsets.UTF_8));
+    private void geste(String nom, Suite.Evenement evenement) {
+        arrivees.put(nom, rien -> arrive(evenement));
     }
 
-    String lu(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+    private void geste(String nom, BiConsumer<Suite, String> evenement) {
+        arrivees.put(nom, valeur -> arrive(suite -> evenement.accept(suite, valeur)));
+    }
+
+    private static int[] deux(String nombres) {
+        return Arrays.stream(nombres.split(" ")).mapToInt(Integer::parseInt).toArray();
+    }
+
+    /** Fait arriver ceci, dans cet ordre : des noms, séparés par des virgules, et leurs valeurs. */
+    protected void faire(String gestes) {
+        for (String geste : gestes.split(", ")) {
+            String nom = geste;
+            while (!arrivees.containsKey(nom)) {
+                nom = nom.substring(0, nom.lastIndexOf(' '));
+            }
+            arrivees.get(nom).accept(geste.substring(nom.length()).trim());
+        }
+    }
+
+    private static <T> T faire(Callable<T> lectureOuEcriture) {
+        try {
+            return lectureOuEcriture.call();
+        } catch (RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    protected Path fichier(String nom, String texte) {
+        return faire(() -> Files.writeString(dossier.resolve(nom), texte));
+    }
+
+    protected String lu(Path fichier) {
+        return faire(() -> Files.readString(fichier));
     }
 
     /** Ouvre la scène, et achève son image. */
-    void montrerLaBoule() {
-        arrive(suite -> suite.montrerLaPremiere(
-                new Demande(LecteurScene.lireEtGarder(boule.toString(), part -> { }), options)));
+    protected void montrerLaBoule() {
+        arrive(suite -> suite.montrerLaPremiere(new Demande(lire(boule.toString()), options)));
         executer();
         journal.clear();
     }
 
+    private SceneLue lire(String fichier) {
+        SceneLue lue = LecteurScene.lireEtGarder(fichier, part -> { });
+        apresLecture.accept(lue);
+        return lue;
+    }
+
     /** Voici ce qui arrive. @return l'état qui suit */
-    Etat arrive(Suite.Evenement evenement) {
+    protected Etat arrive(Suite.Evenement evenement) {
         Suite suite = Suite.apres(etat, evenement);
         publies += suite.getEtat() == etat ? 0 : 1;
         etat = suite.getEtat();
@@ -186,68 +314,90 @@ abstract class EssaiSuite {
         return etat;
     }
 
-    void repondre(int numero, Suite.Evenement reponse) {
+    /** Un ordre qui attend : son travail, fait quand sa première réponse se demande, et les réponses qui restent à donner. */
+    protected static final class Attendu {
+
+        private final Callable<List<Suite.Evenement>> travail;
+        private Deque<Suite.Evenement> reponses;
+
+        private Attendu(Callable<List<Suite.Evenement>> travail) {
+            this.travail = travail;
+        }
+    }
+
+    private void attendre(String ordre, int numero, Callable<List<Suite.Evenement>> travail) {
+        journal.add(ordre);
+        attendus.put(numero, new Attendu(travail));
+    }
+
+    /** L'ordre de ce numéro donne sa réponse suivante. */
+    protected void repondre(int numero) {
+        Attendu attendu = attendus.get(numero);
+        if (attendu.reponses == null) {
+            attendu.reponses = new ArrayDeque<>(faire(attendu.travail));
+        }
+        Suite.Evenement reponse = attendu.reponses.remove();
+        if (attendu.reponses.isEmpty()) {
+            attendus.remove(numero);
+        }
         arrive(Suite.reponse(numero, reponse));
     }
 
     /** Le travail de chaque ordre qui attend se fait, dans leur ordre, et ceux qu'il en suit. */
-    void executer() {
+    protected void executer() {
         while (!attendus.isEmpty()) {
-            int premier = attendus.keySet().stream().min(Integer::compare).get();
-            attendus.remove(premier).run();
+            repondre(attendus.firstKey());
         }
     }
 
-    private void lireEtDessiner(int numero, String fichier, Demande avant) {
+    private List<Suite.Evenement> lireEtDessiner(String fichier, Demande avant, Avancement celui) {
         String version = Surveillance.version(fichier);
         try {
-            SceneLue lue = LecteurScene.lireEtGarder(fichier, part -> { });
+            SceneLue lue = lire(fichier);
             Demande demande = avant == null ? new Demande(lue, options) : avant.avecLecture(lue);
-            repondre(numero, suite -> suite.lue(version, demande));
-            dessiner(numero, demande);
+            List<Suite.Evenement> reponses = new ArrayList<>(Collections.singletonList(suite -> {
+                celui.passer("préparation");
+                suite.lue(version, demande);
+            }));
+            reponses.addAll(dessiner(demande, celui));
+            return reponses;
         } catch (RuntimeException e) {
-            repondre(numero, suite -> suite.echouer(version, e));
+            return Arrays.asList(suite -> suite.echouer(version, e));
         }
     }
 
-    private void dessiner(int numero, Demande demande) {
-        Dessin[] dit = new Dessin[1];
+    private List<Suite.Evenement> dessiner(Demande demande, Avancement celui) {
+        List<Dessin> dits = new ArrayList<>();
         new Main(demande, dessin -> {
-            boolean ebauche = dit[0] != null;
-            dit[0] = dessin;
-            repondre(numero, suite -> {
-                if (ebauche) {
-                    suite.ebaucher(dessin);
-                } else {
-                    suite.preparer(dessin);
-                }
-            });
+            dessin.lancer.getAtelier().getFautes().tolerer();
+            dits.add(dessin);
         }).doTracerImage(demande.largeur, demande.hauteur);
-        repondre(numero, suite -> suite.achever(dit[0]));
+        Dessin dessin = dits.get(0);
+        Essai.exigerLaRecherche(dessin.ecart);
+        return Arrays.asList(suite -> {
+            celui.passer("brouillon");
+            suite.preparer(dessin);
+        }, suite -> {
+            celui.passer("dessin");
+            suite.ebaucher(dessin);
+        }, suite -> suite.achever(dessin));
     }
 
-    private void ecriture(int numero, java.util.function.Supplier<TexteScene> ecriture, String fichier, boolean sous) {
+    private static List<Suite.Evenement> ecriture(Callable<TexteScene> ecriture, String fichier, boolean sous) {
         try {
-            TexteScene texte = ecriture.get();
-            repondre(numero, suite -> suite.ecrit(texte, fichier, sous));
+            TexteScene texte = faire(ecriture);
+            return Arrays.asList(suite -> suite.ecrit(texte, fichier, sous));
         } catch (RuntimeException e) {
-            repondre(numero, suite -> suite.refuserDEcrire(e.getMessage()));
+            return Arrays.asList(suite -> suite.refuserDEcrire(e.getMessage()));
         }
     }
 
-    /** L'observation du fichier de ce nom, tel qu'il est. */
-    void observer(Path celui) {
+    /** L'observation de ce fichier, tel qu'il est. */
+    protected void observer(Path celui) {
         arrive(suite -> suite.voirLeFichier(celui.toString(), Surveillance.version(celui.toString())));
     }
 
-    /** Tire la boule vers la droite. */
-    void tirer() {
-        arrive(suite -> suite.saisir(16, 11, 2));
-        arrive(suite -> suite.tirer(18, 11));
-        arrive(Suite::lacher);
-    }
-
-    String section(String cle) {
+    protected String section(String cle) {
         return etat.demande.lue.getSection("Sphere 1").mot(cle, null);
     }
 }

@@ -3,7 +3,6 @@ package lancer.fenetre.etat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -18,29 +17,30 @@ class SuitesAuHasardTest extends EssaiSuite {
 
     private static final int SUITES = 1000;
     private static final int LONGUEUR = 25;
+    /** Les premières arrivées, celles qui ne demandent ni valeur, ni question. */
+    private static final int DU_HASARD = 16;
 
     private final SplittableRandom hasard = new SplittableRandom(77);
     /** La scène que F5, ou une réponse, a voulu oublier en dernier. */
     private SceneLue oubliee;
 
-    private final List<Suite.Evenement> gestes = Arrays.asList(suite -> suite.saisir(16, 11, 2), suite -> suite.tirer(18, 12),
-            Suite::lacher, suite -> suite.changer("Sphere 1", "ns", "" + hasard.nextInt(50), hasard.nextInt(2) == 0),
-            suite -> suite.changer("Sphere 1", "rayon", "-1", false), Suite::ecrire, Suite::defaire, Suite::echapper,
-            suite -> suite.reflechir(true), suite -> suite.reflechir(false), suite -> suite.tenir(true),
-            suite -> suite.montrer(Onglet.REGLAGES), Suite::mesurer, suite -> suite.expliquer(new Pixel(16, 11)),
-            suite -> suite.aller(1, 0), suite -> suite.grossir(true, 3, 3), Suite::remplir, suite -> suite.placer(40, 30),
-            suite -> suite.voir("normales"), suite -> suite.voir(null), Suite::fermerLeMessage, Suite::demanderOuEcrire);
+    private String geste() {
+        List<String> noms = new ArrayList<>(arrivees.keySet());
+        String[] autres = {"tape ns=" + hasard.nextInt(50), "flèche ns=" + hasard.nextInt(50), "tape rayon=-1", "clic 16 11", "place 10 7",
+            "vue normales", "vue image"};
+        int rang = hasard.nextInt(DU_HASARD + autres.length);
+        return rang < DU_HASARD ? noms.get(rang) : autres[rang - DU_HASARD];
+    }
 
-    private void unPas(List<String> fichiers) throws IOException {
+    private void unPas(List<String> fichiers) {
         int tirage = hasard.nextInt(30);
         Etat avant = etat;
         if (etat.question != null) {
             repondreALaQuestion(tirage);
         } else if (tirage < 18) {
-            arrive(gestes.get(hasard.nextInt(gestes.size())));
+            faire(geste());
         } else if (tirage < 24 && !attendus.isEmpty()) {
-            List<Integer> numeros = new ArrayList<>(attendus.keySet());
-            attendus.remove(numeros.get(hasard.nextInt(numeros.size()))).run();
+            repondre(new ArrayList<>(attendus.keySet()).get(hasard.nextInt(attendus.size())));
         } else if (tirage < 26) {
             fichier(fichiers.get(hasard.nextInt(2)), hasard.nextInt(5) == 0 ? "fautif" : ROUGE.replace("40", "" + hasard.nextInt(99)));
         } else if (tirage < 28) {
@@ -89,13 +89,13 @@ class SuitesAuHasardTest extends EssaiSuite {
     }
 
     @Test
-    void rienNeSePerdSansEtreDemandeEtLeTitreLImageEtLeFichierSAccordent() throws IOException {
+    void rienNeSePerdSansEtreDemandeEtLeTitreLImageEtLeFichierSAccordent() {
         for (int suite = 0; suite < SUITES; suite++) {
             List<String> fichiers = Arrays.asList("boule.ini", "autre.ini");
             for (String nom : fichiers) {
                 fichier(nom, ROUGE);
             }
-            etat = Etat.vide(32, 24, 12);
+            ouvrir();
             attendus.clear();
             montrerLaBoule();
             for (int pas = 0; pas < LONGUEUR; pas++) {
