@@ -449,6 +449,11 @@ public final class Etat {
         return !montre.tenue && !montre.entier;
     }
 
+    /** Les nombres de ce pixel de l'image visible ; vide dans le brouillon d'une vue, qui n'a pas les siens. */
+    public String direLePixel(int k) {
+        return estUnBrouillon() && getVisible().demande.vue != null ? "" : getVisible().image.dire(k);
+    }
+
     /** La section choisie ou, à défaut, du premier contact du pixel expliqué ; {@code null} s'il n'y en a pas. */
     public String getSectionChoisie() {
         if (demande == null || demande.lue.getChose(ecran.choisie) != null) {

@@ -87,7 +87,7 @@ final class BarreEtat extends JPanel implements Vue {
             pastille.setBackground(c);
             texte = String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
                     etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
-                    c.getBlue(), image.dire(k));
+                    c.getBlue(), etat.direLePixel(k));
         }
         pixel.setText(texte);
         pastille.repaint();

@@ -55,6 +55,7 @@ class SuiteTest extends EssaiSuite {
         lectures.put("police", () -> etat.ecran.police);
         lectures.put("réflexions", () -> etat.demande.reglages.get(Option.REFLETS));
         lectures.put("étape", () -> etat.demande.reglages.get(Option.ETAPE));
+        lectures.put("nombres", () -> etat.direLePixel(11 * 32 + 16));
         lectures.put("copie", () -> copie);
         lectures.put("états", () -> publies);
         // les lignes où il n'est pas la scène des essais
@@ -206,6 +207,9 @@ class SuiteTest extends EssaiSuite {
         "seize fois au plus | Ctrl+Haut, Ctrl+Haut, Ctrl+Haut, Ctrl+Haut, Ctrl+Haut | | fois=16.0",
         "une image réduite passe d'abord à sa taille | place 16 24, Ctrl+Haut | | fois=1.0",
         "et y revient | place 16 24, Ctrl+Haut, Ctrl+Haut, Ctrl+Bas, Ctrl+Bas | | fois=0.5",
+        "une vue a ses nombres | vue normales, achève | dessiner | nombres=N = .*",
+        "son brouillon n'en a pas | vue normales, suite, suite | dessiner | image=brouillon; nombres=",
+        "celui d'une image a ses couleurs | -, suite, suite | dessiner | image=brouillon; nombres=← .*",
         "les flèches vont d'un pixel à l'autre | clic 16 11, va 1 0, va 0 -1 "
             + "| expliquer 16 11, arreter, expliquer 17 11, arreter, expliquer 17 10 | pixel=17 10",
         "sans sortir de l'image | clic 3 23, achève, va -10 0, achève, va 0 1 | expliquer 3 23, expliquer 0 23 | pixel=0 23",
