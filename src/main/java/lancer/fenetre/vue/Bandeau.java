@@ -54,7 +54,8 @@ final class Bandeau extends Etiquette implements Vue {
         List<String> graves = new ArrayList<>(etat.getFautesALire());
         graves.add(0, etat.getAlerte());
         String texte = Stream.concat(graves.stream(), Stream.of(avis.texte)).filter(dit -> !dit.isEmpty())
-                .flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe).collect(Collectors.joining("\n"));
+                .flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe).distinct()
+                .collect(Collectors.joining("\n"));
         boolean grave = !String.join("", graves).isEmpty() || !avis.passe();
         setBackground(UIManager.getColor("ToolTip.background"));
         setForeground(UIManager.getColor("ToolTip.foreground"));
