@@ -10,9 +10,6 @@ public final class Norme {
     /** Plus grand écart de 1 au carré c d'une longueur pour que 1/√c = 1,5 − 0,5 c, au carré de l'écart près. */
     public static final double PRESQUE_UN = 0x1p-27;
 
-    /** Un rayon plus petit que cette part de la distance au centre est négligeable. */
-    private static final double POUSSIERE = 0x1p-449;
-
     /** Écart relatif dont le carré est inférieur à u/2. */
     private static final double ECART_PETIT = 0x1p-28;
 
@@ -32,7 +29,7 @@ public final class Norme {
         }
         double max = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), rayon));
         double echelle = Math.scalb(1.0, -Math.getExponent(max));
-        return max <= Double.MAX_VALUE && echelle * rayon >= POUSSIERE ? echelle : 1;
+        return sontOrdinaires(echelle * x, echelle * y, echelle * z, echelle * rayon) ? echelle : 1;
     }
 
     /** Écart relatif 1 − r/√carre entre r et la longueur √carre, ordinaire ({@link #CARRE_MIN}). */

@@ -118,15 +118,15 @@ class DiagnosticTest {
 
     @Test
     void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande(@TempDir Path dossier) throws IOException {
-        Path scene = Files.copy(Path.of("scenes/scene1.ini"), dossier.resolve("ma scène.ini"));
+        Path scene = Files.copy(Path.of("scenes/scene1.ini"), dossier.resolve("deux mots.ini"));
         try (Essai.Isole programme = Modification.de(dossier, "Lancer", "Rayon initial =",
                 "if (xe > 20) { throw new IllegalStateException(\"pas encore écrit\"); } Rayon initial =")) {
             Essai essai = programme.executer("--taille=40x30", "--reflets=2", "--fils=1", "--image", dossier.resolve("i.png").toString(),
                     scene.toString());
             assertEquals(1, essai.code, essai.toString());
-            Matcher pixel = Pattern.compile("lancer : pixel (\\d+), (\\d+) de .*ma scène.ini : java.lang.IllegalStateException: "
+            Matcher pixel = Pattern.compile("lancer : pixel (\\d+), (\\d+) de .*deux mots.ini : java.lang.IllegalStateException: "
                     + "pas encore écrit \\(lancer.Lancer.getCouleurPixel, Lancer.java:\\d+\\) ; pour le revoir : .* --pixel (\\d+,\\d+) "
-                    + "--taille 40x30 --reflets 2 '.*/ma scène.ini'").matcher(essai.erreur.trim());
+                    + "--taille 40x30 --reflets 2 '.*/deux mots.ini'").matcher(essai.erreur.trim());
             assertTrue(pixel.matches(), essai.erreur);
             assertTrue(Integer.parseInt(pixel.group(1)) >= 20, essai.erreur);
             assertEquals(pixel.group(1) + "," + pixel.group(2), pixel.group(3));
