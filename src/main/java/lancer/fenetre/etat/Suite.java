@@ -529,7 +529,7 @@ public final class Suite extends Etat.Changement {
     public void refuserDEcrire(String faute) {
         Apres ensuite = ecriture.ensuite;
         ecriture = null;
-        dire(faute, Sorte.RETENU);
+        dire(faute);
         proposerUnAutreFichier(faute, ensuite);
     }
 

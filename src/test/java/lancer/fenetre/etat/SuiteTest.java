@@ -41,6 +41,7 @@ class SuiteTest extends EssaiSuite {
         lectures.put("titre", () -> etat.getTitre("lancer"));
         lectures.put("résumé", () -> etat.getResume());
         lectures.put("avis", () -> etat.avis.texte);
+        lectures.put("passe", () -> etat.avis.passe());
         lectures.put("alerte", () -> etat.getAlerte());
         lectures.put("fautes", () -> String.join(" / ", etat.getFautesALire()));
         lectures.put("verdict", () -> etat.explication.direLeVerdict(etat.getImageEntiere()));
@@ -159,7 +160,7 @@ class SuiteTest extends EssaiSuite {
             + "| surveiller faute.ini, lire faute.ini, dessiner, ecrire, lire faute.ini | fichier=ns=3; titre=lancer — faute.ini; ns=40",
         "refusée, une écriture propose un autre fichier | tape rayon=2, achève, fichier ns=-1, Ctrl+E, achève "
             + "| dessiner, ecrire, proposer après boule.ini, ligne 6, [Sphere 1], ns : hors limites : « -1 » ; "
-            + "attendu : un nombre de 0 à 1e9 | titre=lancer — boule.ini •; fichier=ns=-1",
+            + "attendu : un nombre de 0 à 1e9 | titre=lancer — boule.ini •; fichier=ns=-1; passe=true",
         "qui s'ouvre | tape rayon=2, achève, efface, Ctrl+E, achève, répond sous.ini, achève "
             + "| dessiner, ecrire, proposer après boule.ini : lecture impossible (fichier introuvable) ; attendu : un fichier de scène, "
             + "ecrire sous sous.ini, surveiller sous.ini, lire sous.ini | titre=lancer — sous.ini; rayon=2",
