@@ -120,6 +120,23 @@ public final class SceneLue {
                 nouvelle -> texte.lire(new SectionLue(chemin.toString(), section, lue.ligne, lue.cles)));
     }
 
+    /** Les valeurs de cette section, par clé : les écrites ou, à défaut, celles qui servent ; vide sans section. */
+    public Map<String, String> getValeurs(String section) {
+        Map<String, String> valeurs = new LinkedHashMap<>();
+        SectionLue lue = getSection(section);
+        if (lue != null) {
+            Map<String, String> servent = new HashMap<>();
+            if (getChose(section) instanceof Objet3D) {
+                Objet3D objet = (Objet3D) getChose(section);
+                servent.put("Kd", ecrire(objet.getKd()));
+                servent.put("Ks", ecrire(objet.getKs()));
+                servent.put("ns", Nombre.ecrire(objet.getNs()));
+            }
+            lue.getCles().forEach(cle -> valeurs.put(cle, lue.mot(cle, servent.getOrDefault(cle, ""))));
+        }
+        return valeurs;
+    }
+
     /** La position de cette lampe, ou le centre de cette sphère. */
     public static Point place(Object chose) {
         return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
@@ -163,20 +180,6 @@ public final class SceneLue {
     /** Cette place, comme dans un fichier. */
     public static String ecrire(Point p) {
         return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
-    }
-
-    /** La matière de cet objet, comme dans un fichier ; vide si cette clé n'est pas de la matière. */
-    public static String valeurDeMatiere(Objet3D objet, String cle) {
-        switch (cle) {
-            case "Kd":
-                return ecrire(objet.getKd());
-            case "Ks":
-                return ecrire(objet.getKs());
-            case "ns":
-                return Nombre.ecrire(objet.getNs());
-            default:
-                return "";
-        }
     }
 
     private static String ecrire(Couleur c) {

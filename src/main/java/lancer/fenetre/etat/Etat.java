@@ -520,10 +520,12 @@ public final class Etat {
         return montre.dessin == mesures.dessin ? mesures.arret : null;
     }
 
-    /** Où en sont les mesures, ou ce qui les empêche. */
+    /** Où en sont les mesures, ou ce qui les empêche ; puis celle du réglage désigné. */
     public String direLesMesures() {
         String empechement = direLEmpechement();
-        return empechement == null ? mesures.dire() : empechement;
+        Essai designe = mesures.essais.get(mesures.vise);
+        return (empechement == null ? mesures.dire() : empechement) + (designe == null || !designe.estFait() ? ""
+                : "\n" + designe.direLeReglage() + " : " + designe.dire());
     }
 
     /** Ce qui se tire, où en est le travail ou, s'il est achevé, ce qu'est l'image. */
@@ -541,6 +543,13 @@ public final class Etat {
             return resumer(montre.dessin);
         }
         return travail == null ? "" : travail.getTexte();
+    }
+
+    /** Les sections changées, à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
+    public String direLesReglages() {
+        StringBuilder texte = new StringBuilder();
+        demande.reglages.getSectionsChangees().forEach(section -> texte.append(section.ecrire("\n")).append("\n\n"));
+        return texte + "; " + demande.getCommande("");
     }
 
     /** La taille de l'image, son coût, ses réglages, ses fautes. */

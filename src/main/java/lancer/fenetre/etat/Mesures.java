@@ -14,7 +14,7 @@ import lancer.dessin.Durees;
 /** Le temps et l'erreur de chaque réglage de l'échelle, et la scène où ils sont mesurés. Immuable. */
 public final class Mesures {
 
-    static final Mesures AUCUNES = new Mesures(null, Collections.emptyMap(), 0, null, null);
+    static final Mesures AUCUNES = new Mesures(null, Collections.emptyMap(), 0, null, null, null);
 
     /** Ce que demande l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première. */
     final Demande base;
@@ -24,13 +24,17 @@ public final class Mesures {
     /** Le dessin dont l'échelle se mesure ou, avec une phrase qui dit pourquoi, celui dont elle ne se mesure pas. */
     final Dessin dessin;
     final String arret;
+    /** Le réglage que désignent la souris ou les flèches, ou {@code null}. */
+    public final Reglages vise;
 
-    private Mesures(Demande base, Map<Reglages, Essai> essais, int numero, Dessin dessin, String arret) {
+    private Mesures(Demande base, Map<Reglages, Essai> essais, int numero, Dessin dessin, String arret,
+            Reglages vise) {
         this.base = base;
         this.essais = essais;
         this.numero = numero;
         this.dessin = dessin;
         this.arret = arret;
+        this.vise = vise;
     }
 
     /** Celles de ce dessin : l'échelle, et son réglage. Les essais d'une même échelle restent. */
@@ -43,18 +47,22 @@ public final class Mesures {
         Map<Reglages, Essai> tous = new LinkedHashMap<>();
         echelle.forEach(voulu -> tous.put(voulu,
                 connus.getOrDefault(voulu, new Essai(voulu, new Durees(), 0, 0))));
-        return new Mesures(celle, tous, autreNumero, celui, null);
+        return new Mesures(celle, tous, autreNumero, celui, null, vise);
     }
 
     Mesures avec(Essai fait) {
         Map<Reglages, Essai> autres = new LinkedHashMap<>(essais);
         autres.put(fait.reglages, fait);
-        return new Mesures(base, autres, numero, dessin, arret);
+        return new Mesures(base, autres, numero, dessin, arret, vise);
+    }
+
+    Mesures viser(Reglages celui) {
+        return new Mesures(base, essais, numero, dessin, arret, celui);
     }
 
     /** Celles-ci, que rien ne continue. @param pourquoi {@code null} si la mesure reprendra d'elle-même */
     Mesures arretees(String pourquoi) {
-        return new Mesures(base, essais, 0, dessin, pourquoi);
+        return new Mesures(base, essais, 0, dessin, pourquoi, vise);
     }
 
     boolean sontFaites() {

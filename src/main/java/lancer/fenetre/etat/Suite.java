@@ -6,7 +6,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.NavigableSet;
+import java.util.Objects;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import lancer.Lancer;
 import lancer.Point;
 import lancer.SceneFautive;
@@ -15,6 +17,7 @@ import lancer.commande.Messages;
 import lancer.commande.Couple;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
+import lancer.contrat.Parametre;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.fenetre.etat.Etat.Apres;
@@ -27,6 +30,7 @@ import lancer.fenetre.etat.Etat.Source;
 import lancer.fenetre.etat.Travail.Fin;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
+import lancer.inspection.Recit;
 import lancer.scene.SceneLue;
 import lancer.scene.TexteScene;
 import lancer.texte.Texte;
@@ -325,8 +329,24 @@ public final class Suite extends Etat.Changement {
         }
     }
 
+    /** Change ainsi les réglages. */
+    public void regler(UnaryOperator<Reglages> changement) {
+        regler(changement.apply(demande.reglages));
+    }
+
+    /** De même, si cette valeur de ce réglage est possible. */
+    public void regler(Parametre reglage, String valeur, UnaryOperator<Reglages> changement) {
+        if (reglage.accepte(valeur)) {
+            oublierLeRefus();
+            regler(changement);
+        } else {
+            String faute = valeur.isEmpty() ? "aucune valeur" : "valeur impossible, " + Texte.cite(valeur);
+            refuser(reglage.getTitre() + " : " + faute + " ; attendu : " + reglage.attendu);
+        }
+    }
+
     /** Une valeur impossible a été écrite. */
-    public void refuser(String message) {
+    private void refuser(String message) {
         dire(message, Sorte.REFUS);
     }
 
@@ -639,10 +659,15 @@ public final class Suite extends Etat.Changement {
 
     // ce qui se mesure et s'explique
 
-    /** Dessine l'image de ce réglage mesuré. Ses points sont ceux de la scène montrée, ou il n'y en a pas. */
-    public void prendre(Reglages mesure) {
-        if (mesures.essais.containsKey(mesure) && !refuseDeChanger()) {
-            regler(mesure);
+    /** La souris ou les flèches désignent ce réglage mesuré, ou {@code null}. */
+    public void viser(Reglages mesure) {
+        mesures = Objects.equals(mesure, mesures.vise) ? mesures : mesures.viser(mesure);
+    }
+
+    /** Dessine l'image du réglage désigné. Les points sont ceux de la scène montrée, ou il n'y en a pas. */
+    public void prendre() {
+        if (mesures.essais.containsKey(mesures.vise) && !refuseDeChanger()) {
+            regler(mesures.vise);
         }
     }
 
@@ -703,19 +728,20 @@ public final class Suite extends Etat.Changement {
         return etat().getImageEntiere();
     }
 
-    /** Copie les sections de variantes à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     public void copierLesReglages() {
-        StringBuilder sections = new StringBuilder();
-        demande.reglages.getSectionsChangees().forEach(section -> sections.append(section.ecrire("\n")).append("\n\n"));
-        String texte = sections + "; " + demande.getCommande("") + "\n";
+        String texte = etat().direLesReglages() + "\n";
         ordres.add((moteur, vue) -> vue.copier(texte));
-        dire("réglages copiés : " + (sections.length() == 0 ? "la commande" : "les sections changées et la commande"));
+        dire("réglages copiés : " + (texte.startsWith(";") ? "la commande" : "les sections changées et la commande"));
     }
 
-    /** Copie ces lignes, le récit du pixel. */
-    public void copierLeRecit(List<String> lignes) {
-        ordres.add((moteur, vue) -> vue.copier(String.join("\n", lignes)));
-        dire("récit du pixel copié, " + lignes.size() + " lignes");
+    /** Copie le récit du pixel, tous les chiffres écrits. */
+    public void copierLeRecit() {
+        if (explication.faite != null && explication.faite.inspection != null) {
+            List<String> lignes = new Recit(explication.faite.inspection, Double::toString, Double::toString)
+                    .raconter().lignes();
+            ordres.add((moteur, vue) -> vue.copier(String.join("\n", lignes)));
+            dire("récit du pixel copié, " + lignes.size() + " lignes");
+        }
     }
 
     // ce que l'état veut, et qui n'est pas encore commencé

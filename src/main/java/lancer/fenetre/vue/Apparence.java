@@ -3,11 +3,8 @@ package lancer.fenetre.vue;
 import java.awt.Font;
 import java.awt.Toolkit;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.IntUnaryOperator;
-import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.plaf.FontUIResource;
@@ -16,9 +13,8 @@ import javax.swing.plaf.InputMapUIResource;
 /** L'apparence des fenêtres : FlatLaf, sombre si le bureau l'est, ou l'apparence de Java si FlatLaf est absent. */
 public final class Apparence {
 
-    /** La taille ordinaire des textes, et la police de chaque sorte. */
+    /** La taille ordinaire des textes, en points. */
     private static int ordinaire;
-    private static final Map<Object, Font> ordinaires = new HashMap<>();
 
     private Apparence() {
     }
@@ -54,22 +50,16 @@ public final class Apparence {
         return voulue;
     }
 
-    /** La taille ordinaire des textes, en points. */
     static int getOrdinaire() {
         return ordinaire;
     }
 
     /** Donne cette taille, en points, aux textes de tous les composants à venir. */
     static void donnerAuxTextes(int taille) {
-        if (ordinaires.isEmpty()) {
-            // toutes d'abord : FlatLaf déduit les unes des autres
-            UIDefaults defauts = UIManager.getLookAndFeelDefaults();
-            new ArrayList<>(defauts.keySet()).stream()
-                    .filter(cle -> cle.toString().endsWith("ont") && defauts.getFont(cle) != null)
-                    .forEach(cle -> ordinaires.put(cle, defauts.getFont(cle)));
-        }
-        ordinaires.forEach((cle, police) -> UIManager.put(cle,
-                new FontUIResource(police.deriveFont(taille * police.getSize2D() / ordinaire))));
+        FontUIResource police = new FontUIResource(UIManager.getFont("Label.font").deriveFont((float) taille));
+        new ArrayList<>(UIManager.getLookAndFeelDefaults().keySet()).stream()
+                .filter(cle -> cle.toString().endsWith("ont") && UIManager.getFont(cle) != null)
+                .forEach(cle -> UIManager.put(cle, police));
     }
 
     /** Dit si le bureau a un thème sombre, quand Java le sait. */

@@ -3,6 +3,7 @@ package lancer.fenetre.vue;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -18,27 +19,30 @@ final class BarreEtat extends JPanel implements Vue {
     private static final int MARGE = 6;
     private static final int FILET = 3;
     private static final int POUR_MILLE = 1000;
-    private static final int LIGNES_MAX = 3;
+    private static final int LIGNES_MAX = 4;
     /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
     private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
     /** Un long résumé, à ses réglages près. */
     private static final String RESUME = "9999 × 9999 pixels, 99 999 999 rayons en 99,99 s, ";
 
+    private final Etat premier;
+    private final Supplier<Pixel> souris;
     private final JLabel pixel = new JLabel(" ");
     private final Etiquette resume = new Etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JLabel pastille = new JLabel("    ");
     private final Legende legende = new Legende();
 
-    /** @param premier le premier état : son image donne sa largeur à la barre, ses réglages leur longueur au résumé */
-    BarreEtat(Etat premier) {
+    /**
+     * @param premier le premier état : son image donne sa largeur à la barre, ses réglages leur longueur au résumé
+     * @param souris le pixel sous la souris, ou {@code null}
+     */
+    BarreEtat(Etat premier, Supplier<Pixel> souris) {
         super(new BorderLayout(0, MARGE / 2));
+        this.premier = premier;
+        this.souris = souris;
         setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE / 2, MARGE));
         pixel.setName("pixel");
-        int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
-        // la hauteur de la barre ne change pas : l'image ne bouge pas quand un résumé est long
-        int place = Math.max(largeur(PIXEL), premier.ecran.loupe.largeur - 2 * MARGE);
-        resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / place));
         avancement.setName("avancement");
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
         avancement.setBorderPainted(false);
@@ -57,7 +61,19 @@ final class BarreEtat extends JPanel implements Vue {
         return getFontMetrics(resume.getFont()).stringWidth(texte);
     }
 
-    /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image. */
+    /** La place de la barre. À une taille des textes, sa hauteur ne change pas : l'image ne bouge pas. */
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension voulue = super.getPreferredSize();
+        int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
+        int place = Math.max(largeur(PIXEL), premier.ecran.loupe.largeur - 2 * MARGE);
+        int lignes = Math.min(LIGNES_MAX, 1 + longueur / place);
+        return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
+                voulue.height - resume.getPreferredSize().height
+                        + lignes * getFontMetrics(resume.getFont()).getHeight());
+    }
+
+    /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image ; et la couleur du pixel sous la souris. */
     @Override
     public void montrer(Etat etat) {
         String texte = etat.getResume();
@@ -66,30 +82,19 @@ final class BarreEtat extends JPanel implements Vue {
         resume.setText(texte);
         resume.setToolTipText(texte);
         legende.montrer(etat);
-    }
-
-    @Override
-    public Dimension getPreferredSize() {
-        Dimension voulue = super.getPreferredSize();
-        int ligne = getFontMetrics(resume.getFont()).getHeight();
-        return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
-                voulue.height - resume.getPreferredSize().height + resume.getRows() * ligne);
-    }
-
-    /** Dit la couleur d'un pixel. @param ou {@code null} pour aucun */
-    void montrerLePixel(Pixel ou, Etat etat) {
-        pastille.setOpaque(ou != null);
-        String texte = " ";
+        Pixel ou = souris.get();
+        String dit = " ";
         if (ou != null) {
             ImageMemoire image = etat.getVisible().image;
             int k = ou.y * image.largeur + ou.x;
             Color c = new Color(image.codes[k]);
             pastille.setBackground(c);
-            texte = String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+            dit = String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
                     etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
                     c.getBlue(), etat.direLePixel(k));
         }
-        pixel.setText(texte);
+        pixel.setText(dit);
+        pastille.setOpaque(ou != null);
         pastille.repaint();
     }
 }

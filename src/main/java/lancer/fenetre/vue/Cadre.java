@@ -11,10 +11,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
@@ -27,7 +24,6 @@ import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import lancer.fenetre.etat.Dialogue;
 import lancer.fenetre.etat.Etat;
-import lancer.fenetre.etat.Onglet;
 import lancer.fenetre.etat.Suite;
 import lancer.image.ImageMemoire;
 
@@ -53,8 +49,8 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
         this.nom = nom;
         this.recevoir = recevoir;
         etat = premier;
-        barre = new BarreEtat(premier);
-        image = new PanneauImage(premier, recevoir, this::direLePixel);
+        image = new PanneauImage(premier, recevoir, this::montrerLaBarre);
+        barre = new BarreEtat(premier, image::getPixelSouris);
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
@@ -66,12 +62,7 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
                 celui.scrollRectToVisible(new Rectangle(celui.getSize()));
             }
         });
-        Map<Onglet, Supplier<JComponent>> fabriques = new EnumMap<>(Onglet.class);
-        fabriques.put(Onglet.PIXEL, () -> new Inspecteur(recevoir));
-        fabriques.put(Onglet.REGLAGES, () -> new PanneauReglages(etat.demande.reglages, recevoir,
-                image::requestFocusInWindow));
-        fabriques.put(Onglet.VITESSE, () -> new PanneauVitesse(recevoir));
-        onglets = new Onglets(this, bord, fabriques, recevoir);
+        onglets = new Onglets(this, bord, this::faireLesOnglets, recevoir);
         commandes = new Commandes(this, image, this::choisirScene, onglets::donnerLeClavier, recevoir);
         add(onglets, BorderLayout.CENTER);
         add(barre, BorderLayout.PAGE_END);
@@ -82,6 +73,13 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
                 recevoir.accept(Suite::quitter);
             }
         });
+    }
+
+    private void faireLesOnglets() {
+        onglets.ajouter("Pixel", 640, new Inspecteur(recevoir));
+        onglets.ajouter("Réglages", 300,
+                new PanneauReglages(etat.demande.reglages, recevoir, image::requestFocusInWindow));
+        onglets.ajouter("Vitesse", 480, new PanneauVitesse(recevoir));
     }
 
     /** Se montre à l'écran ; sans scène, en demande une. */
@@ -106,7 +104,8 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
         Etat avant = etat;
         etat = nouveau;
         if (nouveau.ecran.police != avant.ecran.police) {
-            changerLaPolice();
+            Apparence.donnerAuxTextes(nouveau.ecran.police);
+            SwingUtilities.updateComponentTreeUI(this);
         }
         if (nouveau.enCours()) {
             horloge.start();
@@ -129,23 +128,14 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
         rafraichir();
     }
 
-    private void changerLaPolice() {
-        Apparence.donnerAuxTextes(etat.ecran.police);
-        SwingUtilities.updateComponentTreeUI(this);
-        if (onglets.getCache() != null) {
-            SwingUtilities.updateComponentTreeUI(onglets.getCache());
-        }
-    }
-
     /** Montre l'image, et où en est le dessin. */
     private void rafraichir() {
         image.repaint();
-        barre.montrer(etat);
-        direLePixel();
+        montrerLaBarre();
     }
 
-    private void direLePixel() {
-        barre.montrerLePixel(image.getPixelSouris(), etat);
+    private void montrerLaBarre() {
+        barre.montrer(etat);
     }
 
     private void choisirScene() {
@@ -163,14 +153,15 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
     @Override
     public void proposerEcrireSous(String pourquoi, String fichier) {
         File cible = pourquoi == null || Dialogues.proposer(image, pourquoi)
-                ? Dialogues.choisirOuEcrire(image, new File(fichier)) : null;
+                ? Dialogues.choisirOuEcrire(image, new File(fichier).getAbsoluteFile(), "Écrire la scène sous…", "ini")
+                : null;
         recevoir.accept(cible == null ? Suite::rester : suite -> suite.ecrireSous(cible.getPath()));
     }
 
     @Override
     public void demanderOuEnregistrer(ImageMemoire celle, String scene) {
         String png = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(image, new File(dossier, png));
+        File cible = Dialogues.choisirOuEcrire(image, new File(dossier, png), "Enregistrer l'image", "png");
         if (cible != null) {
             dossier = cible.getParentFile();
             recevoir.accept(suite -> suite.enregistrerSous(celle, cible, scene));

@@ -4,7 +4,10 @@ import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.AbstractAction;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -12,36 +15,43 @@ import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import lancer.fenetre.etat.Etat;
 
-/** Une commande de la fenêtre : son nom, sa touche, quand elle est possible, quand elle est cochée, ce qu'elle fait. */
+/** Une commande de la fenêtre : son nom, ses touches, quand elle est possible, ou cochée, et ce qu'elle fait. */
 @SuppressWarnings("serial")
 final class Commande extends AbstractAction implements Vue {
 
+    private final List<KeyStroke> touches;
     private final Predicate<Etat> possible;
     private final Predicate<Etat> cochee;
     private final Runnable effet;
 
     /**
-     * @param touche comme l'écrit {@link KeyStroke}, ou {@code null} ; sur un Mac, {@code ctrl} est Commande
+     * @param touches comme les écrit {@link KeyStroke}, la première étant celle qui se dit ; sur un Mac, {@code ctrl}
+     *     est Commande, et {@code AGRAVE} est la touche à/0 d'un clavier français
      * @param cochee {@code null} si son article ne porte pas de coche
      */
-    Commande(String nom, String touche, Predicate<Etat> possible, Predicate<Etat> cochee, Runnable effet) {
+    Commande(String nom, String touches, Predicate<Etat> possible, Predicate<Etat> cochee, Runnable effet) {
         super(nom);
         this.possible = possible;
         this.cochee = cochee;
         this.effet = effet;
         boolean mac = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask() == InputEvent.META_MASK;
-        if (touche != null) {
-            putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(mac ? touche.replace("ctrl", "meta") : touche));
-        }
+        this.touches = Stream.of((mac ? touches.replace("ctrl", "meta") : touches).split(", "))
+                .map(Commande::lire).collect(Collectors.toList());
+        putValue(ACCELERATOR_KEY, getTouche());
         if (cochee != null) {
             putValue(SELECTED_KEY, false);
         }
     }
 
-    /** La touche de cette commande sert dans ce composant. @param quand une des conditions de {@link JComponent} */
+    private static KeyStroke lire(String touche) {
+        return !touche.endsWith("AGRAVE") ? KeyStroke.getKeyStroke(touche)
+                : KeyStroke.getKeyStroke(KeyEvent.getExtendedKeyCodeForChar('à'),
+                KeyStroke.getKeyStroke(touche.replace("AGRAVE", "0")).getModifiers());
+    }
+
+    /** Ses touches servent dans ce composant. @param quand une des conditions de {@link JComponent} */
     Commande lier(JComponent composant, int quand) {
-        composant.getInputMap(quand).put(getTouche(), this);
-        composant.getActionMap().put(this, this);
+        touches.forEach(touche -> composant.registerKeyboardAction(this, touche, quand));
         return this;
     }
 
@@ -57,31 +67,20 @@ final class Commande extends AbstractAction implements Vue {
         return (String) getValue(NAME);
     }
 
+    /** Sa première touche, ou {@code null}. */
     KeyStroke getTouche() {
-        return (KeyStroke) getValue(ACCELERATOR_KEY);
+        return touches.get(0);
+    }
+
+    private boolean estUnSigne() {
+        return getTouche() != null && getTouche().getKeyCode() == KeyEvent.VK_UNDEFINED;
     }
 
     /** La touche, en français, par exemple « Ctrl+Haut ». */
     String direTouche() {
-        KeyStroke touche = getTouche();
-        if (touche.getKeyCode() == KeyEvent.VK_UNDEFINED) {
-            return String.valueOf(Character.toUpperCase(touche.getKeyChar()));
-        }
-        String avec = InputEvent.getModifiersExText(touche.getModifiers());
-        return avec + (avec.isEmpty() ? "" : "+") + direSigne(touche.getKeyCode());
-    }
-
-    private static String direSigne(int touche) {
-        switch (touche) {
-            case KeyEvent.VK_PLUS:
-            case KeyEvent.VK_ADD:
-                return "+";
-            case KeyEvent.VK_MINUS:
-            case KeyEvent.VK_SUBTRACT:
-                return "−";
-            default:
-                return KeyEvent.getKeyText(touche);
-        }
+        String avec = InputEvent.getModifiersExText(getTouche().getModifiers());
+        return avec + (avec.isEmpty() ? "" : "+")
+                + (estUnSigne() ? "" + getTouche().getKeyChar() : KeyEvent.getKeyText(getTouche().getKeyCode()));
     }
 
     /** Grise et coche son article de menu. */
@@ -95,9 +94,8 @@ final class Commande extends AbstractAction implements Vue {
 
     @Override
     public void actionPerformed(ActionEvent e) {
-        // Swing donne un caractère frappé avec Ctrl à la commande de ce caractère
-        boolean caractere = getTouche() != null && getTouche().getKeyCode() == KeyEvent.VK_UNDEFINED;
-        if (!caractere || (e.getModifiers() & (ActionEvent.CTRL_MASK | ActionEvent.META_MASK)) == 0) {
+        // Swing donne un signe frappé avec Ctrl à la commande de ce signe
+        if (!estUnSigne() || (e.getModifiers() & (ActionEvent.CTRL_MASK | ActionEvent.META_MASK)) == 0) {
             effet.run();
         }
     }

@@ -12,7 +12,6 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
-import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.fenetre.etat.Suite;
 import lancer.texte.Texte;
@@ -24,7 +23,6 @@ final class Dialogues {
     private static final int MARGE_H = 30;
     private static final int MARGE_V = 120;
     private static final int LARGEUR = 500;
-    private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
     private static boolean ouvert;
@@ -53,12 +51,9 @@ final class Dialogues {
         JOptionPane.showMessageDialog(parent, deroulant, "Touches", JOptionPane.PLAIN_MESSAGE);
     }
 
-    /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
+    /** La scène à ouvrir, ou {@code null}. @param actuelle celle dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
-        JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
-        File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
-        File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
-        return choisi != null && !choisi.exists() && complet.exists() ? complet : choisi;
+        return choisir(parent, new JFileChooser(dossierDesScenes(actuelle)), "Ouvrir une scène", "ini");
     }
 
     /** Le dossier de cette scène ou, à défaut, celui des scènes du programme. */
@@ -69,29 +64,32 @@ final class Dialogues {
                 .filter(File::isDirectory).findFirst().orElse(new File("").getAbsoluteFile());
     }
 
-    /** Le fichier PNG où enregistrer l'image, remplacement confirmé ; {@code null} si l'utilisateur renonce. */
-    static File choisirImage(Component parent, File proposee) {
-        return choisirCible(parent, proposee, TITRE_IMAGE, "Images PNG (*.png)", "png");
-    }
-
-    /** Le fichier où écrire la scène, remplacement confirmé ; {@code null} si l'utilisateur renonce. */
-    static File choisirOuEcrire(Component parent, File scene) {
-        return choisirCible(parent, scene.getAbsoluteFile(), "Écrire la scène sous…", "Scènes (*.ini)", "ini");
-    }
-
-    private static File choisirCible(Component parent, File proposee, String titre, String sorte, String fin) {
-        JFileChooser choix = new JFileChooser(proposee.getParentFile());
+    /** Le fichier où écrire, remplacement confirmé, ou {@code null}. @param fin celle de son nom, sans point */
+    static File choisirOuEcrire(Component parent, File propose, String titre, String fin) {
+        JFileChooser choix = new JFileChooser(propose.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
-        choix.setSelectedFile(proposee);
-        File choisi = choisir(parent, choix, titre, new FileNameExtensionFilter(sorte, fin));
-        File cible = choisi == null || Texte.minuscules(choisi.getName()).endsWith("." + fin) ? choisi
-                : new File(choisi.getPath() + "." + fin);
-        if (cible == null || !cible.isFile()) {
-            return cible;
+        choix.setSelectedFile(propose);
+        File cible = choisir(parent, choix, titre, fin);
+        boolean libre = cible == null || !cible.isFile() || demander(parent, titre, "Le fichier « "
+                + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?", "Remplacer", "Annuler") == 0;
+        return libre ? cible : null;
+    }
+
+    private static File choisir(Component parent, JFileChooser choix, String titre, String fin) {
+        if (ouvert) {
+            return null;
         }
-        int reponse = demander(parent, titre, "Le fichier « " + Texte.echappe(cible.getName())
-                + " » existe déjà. Le remplacer ?", "Remplacer", "Annuler");
-        return reponse == 0 ? cible : null;
+        ouvert = true;
+        choix.setDialogTitle(titre);
+        choix.setFileFilter(new FileNameExtensionFilter("*." + fin, fin));
+        int reponse = choix.showDialog(parent, null);
+        ouvert = false;
+        // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
+        parent.requestFocus();
+        File choisi = reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
+        boolean complet = choisi == null || Texte.minuscules(choisi.getName()).endsWith("." + fin)
+                || choix.getDialogType() == JFileChooser.OPEN_DIALOG && choisi.exists();
+        return complet ? choisi : new File(choisi.getPath() + "." + fin);
     }
 
     /** Propose d'écrire la scène ailleurs. @param pourquoi ce qui a empêché de l'écrire dans son fichier */
@@ -116,19 +114,5 @@ final class Dialogues {
                 JOptionPane.WARNING_MESSAGE, null, reponses, reponses[reponses.length - 1]);
         parent.requestFocus();
         return reponse;
-    }
-
-    private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {
-        if (ouvert) {
-            return null;
-        }
-        ouvert = true;
-        choix.setDialogTitle(titre);
-        choix.setFileFilter(filtre);
-        int reponse = choix.showDialog(parent, null);
-        ouvert = false;
-        // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
-        parent.requestFocus();
-        return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
     }
 }

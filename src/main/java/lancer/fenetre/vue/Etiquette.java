@@ -1,8 +1,12 @@
 package lancer.fenetre.vue;
 
+import java.awt.Color;
 import java.awt.Cursor;
 import javax.swing.BorderFactory;
+import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.border.Border;
+import lancer.Couleur;
 
 /** Un texte de plusieurs lignes, qui se lit sans se changer. Aucune ne commence par un signe de ponctuation. */
 @SuppressWarnings("serial")
@@ -36,12 +40,28 @@ class Etiquette extends JTextArea {
         return this;
     }
 
+    /** Sa place, de tant de lignes quel que soit son texte, qui défile s'il est plus long. */
+    JScrollPane enPlace(int lignes) {
+        setRows(lignes);
+        setColumns(1);
+        JScrollPane place = new JScrollPane(this);
+        place.setBorder(BorderFactory.createEmptyBorder());
+        return place;
+    }
+
     @Override
     public void setText(String texte) {
         String lie = lier(texte);
         if (!lie.equals(getText())) {
             super.setText(lie);
         }
+    }
+
+    /** Cette teinte, à gauche d'un texte. @param largeur la sienne */
+    static Border pastille(Couleur teinte, int largeur) {
+        return BorderFactory.createCompoundBorder(
+                BorderFactory.createMatteBorder(0, largeur, 0, 0, new Color(teinte.getCode())),
+                BorderFactory.createEmptyBorder(0, largeur / 2, 0, 0));
     }
 
     /** Le même texte, où une espace qui précède un signe, ou un guillemet, est insécable. */

@@ -1,7 +1,6 @@
 package lancer.fenetre.vue;
 
 import java.awt.BorderLayout;
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.event.ComponentAdapter;
@@ -74,20 +73,20 @@ final class Inspecteur extends JPanel implements Vue {
 
     @Override
     public void montrer(Etat nouveau) {
-        Etat avant = etat;
-        etat = nouveau;
         champs.montrer(nouveau);
         verdict.setText(nouveau.explication.direLeVerdict(nouveau.getImageEntiere()));
+        // grisée pendant le calcul
+        arbre.setEnabled(!nouveau.explication.enCours());
         Faite faite = nouveau.explication.faite;
-        if (avant == null || faite != avant.explication.faite) {
+        boolean autre = etat == null || faite != etat.explication.faite;
+        if (autre) {
             arbre.setModel(new DefaultTreeModel(faite == null || faite.recit == null ? null : branche(faite.recit)));
             vue.montrer(faite == null ? null : faite.inspection);
-            ouvrir();
-        } else if (nouveau.ecran.tout != avant.ecran.tout) {
-            ouvrir();
-        } else if (nouveau.explication != avant.explication) {
-            arbre.repaint();
         }
+        if (autre || nouveau.ecran.tout != etat.ecran.tout) {
+            ouvrir(nouveau.ecran.tout);
+        }
+        etat = nouveau;
     }
 
     @Override
@@ -109,10 +108,10 @@ final class Inspecteur extends JPanel implements Vue {
     }
 
     /** Déplie tout le détail, ou l'essentiel. */
-    private void ouvrir() {
+    private void ouvrir(boolean tout) {
         // ouvrir un nœud ajoute des lignes après la sienne
         for (int r = 0; r < arbre.getRowCount(); r++) {
-            if (etat.ecran.tout || !noeud(arbre.getPathForRow(r).getLastPathComponent()).replie) {
+            if (tout || !noeud(arbre.getPathForRow(r).getLastPathComponent()).replie) {
                 arbre.expandRow(r);
             } else {
                 arbre.collapseRow(r);
@@ -138,12 +137,10 @@ final class Inspecteur extends JPanel implements Vue {
             Noeud noeud = noeud(branche);
             setText(Etiquette.lier(noeud.texte));
             getAccessibleContext().setAccessibleName(noeud.texte);
-            setEnabled(etat == null || !etat.explication.enCours());
+            setEnabled(tree.isEnabled());
             setBackground(UIManager.getColor(clavier ? "Tree.selectionInactiveBackground" : "Tree.background"));
             setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(2, 0, 1, 0, getBackground()),
-                    noeud.couleur == null ? null : BorderFactory.createCompoundBorder(
-                            BorderFactory.createMatteBorder(0, PASTILLE, 0, 0, new Color(noeud.couleur.getCode())),
-                            BorderFactory.createEmptyBorder(0, MARGE, 0, 0))));
+                    noeud.couleur == null ? null : Etiquette.pastille(noeud.couleur, PASTILLE)));
             int niveau = ((DefaultMutableTreeNode) branche).getLevel() + 1;
             // à cette largeur, la hauteur est celle de toutes les lignes de l'écran qu'il faut
             setSize(Math.max(20 * PASTILLE, arbre.getParent().getWidth() - niveau * retrait), Short.MAX_VALUE);

@@ -18,6 +18,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
@@ -49,13 +50,14 @@ final class PanneauImage extends JPanel implements Vue {
     private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
             new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
 
-    final Bandeau bandeau;
+    private final Bandeau bandeau;
     private final Consumer<Suite.Evenement> recevoir;
     private final Runnable siBouge;
     private Etat etat;
-    /** La place de la souris dans le panneau, ou {@code null}, et vrai si Maj y est tenue. */
-    private Point souris;
-    private boolean etoiles;
+    /** Ce que la souris a fait en dernier dans le panneau, {@code null} si elle en est sortie. */
+    private MouseEvent souris;
+    /** Où son bouton a été enfoncé. */
+    private Point appui = new Point();
 
     /** @param siBouge appelé quand la souris bouge */
     PanneauImage(Etat etat, Consumer<Suite.Evenement> recevoir, Runnable siBouge) {
@@ -92,12 +94,13 @@ final class PanneauImage extends JPanel implements Vue {
     /** Dit ce que fait la souris. La molette règle la loupe ; un bouton tenu tire l'image ou, avec Maj, une boule. */
     private final class Suiveur extends MouseAdapter {
 
-        private Point appui = new Point();
-        /** Le point de l'image qui est tiré avec elle, ou {@code null}. */
-        private lancer.Point saisi;
-
         private void placer(MouseEvent e) {
-            souris = e.getPoint();
+            boolean etoiles = montreLesEtoiles();
+            souris = e;
+            if (etoiles != montreLesEtoiles()) {
+                repaint();
+            }
+            siBouge.run();
         }
 
         @Override
@@ -105,13 +108,10 @@ final class PanneauImage extends JPanel implements Vue {
             requestFocusInWindow();
             placer(e);
             appui = e.getPoint();
-            saisi = null;
             if (getImage() != null && SwingUtilities.isLeftMouseButton(e) && e.isShiftDown()) {
-                lancer.Point point = pointSousLaSouris(0);
+                lancer.Point point = pointSous(e);
                 double portee = RAYON_ETOILE / getPixel() / getLoupe().getReduction(getImage());
                 recevoir.accept(suite -> suite.saisir(point.x, point.y, portee));
-            } else if (getImage() != null && !e.isShiftDown()) {
-                saisi = pointSousLaSouris(0.5);
             }
         }
 
@@ -119,13 +119,10 @@ final class PanneauImage extends JPanel implements Vue {
         @Override
         public void mouseReleased(MouseEvent e) {
             placer(e);
-            if (!SwingUtilities.isLeftMouseButton(e)) {
-                return;
-            }
-            if (etat.geste != null) {
+            if (SwingUtilities.isLeftMouseButton(e) && etat.geste != null) {
                 recevoir.accept(Suite::lacher);
-            } else if (e.getPoint().distance(appui) <= TREMBLEMENT && !e.isShiftDown() && e.getClickCount() <= 1
-                    && estSousLaSouris()) {
+            } else if (SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
+                    && !e.isShiftDown() && e.getClickCount() <= 1 && estSousLaSouris()) {
                 // le premier clic a pu réduire l'image : le second désignerait un autre pixel
                 expliquer();
             }
@@ -134,40 +131,32 @@ final class PanneauImage extends JPanel implements Vue {
         @Override
         public void mouseMoved(MouseEvent e) {
             placer(e);
-            if (etoiles != e.isShiftDown()) {
-                etoiles = e.isShiftDown();
-                repaint();
-            }
-            siBouge.run();
         }
 
         @Override
         public void mouseExited(MouseEvent e) {
-            souris = null;
-            siBouge.run();
+            placer(null);
         }
 
         @Override
         public void mouseDragged(MouseEvent e) {
-            placer(e);
             if (etat.geste != null) {
-                lancer.Point point = pointSousLaSouris(0);
+                lancer.Point point = pointSous(e);
                 recevoir.accept(suite -> suite.tirer(point.x, point.y));
-            } else if (saisi != null && !e.isShiftDown()) {
-                lancer.Point point = saisi;
-                recevoir.accept(suite -> suite.amener(point, enPixels(souris.x) + 0.5, enPixels(souris.y) + 0.5));
+            } else if (getImage() != null && souris != null && !e.isShiftDown()) {
+                lancer.Point point = pointSous(souris);
+                recevoir.accept(suite -> suite.amener(point, enPixels(e.getX()), enPixels(e.getY())));
             }
-            siBouge.run();
+            placer(e);
         }
 
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
             placer(e);
             if (e.getWheelRotation() != 0) {
-                recevoir.accept(suite -> suite.grossir(e.getWheelRotation() < 0, enPixels(souris.x) + 0.5,
-                        enPixels(souris.y) + 0.5));
+                recevoir.accept(suite -> suite.grossir(e.getWheelRotation() < 0, enPixels(e.getX()),
+                        enPixels(e.getY())));
             }
-            siBouge.run();
         }
     }
 
@@ -190,30 +179,35 @@ final class PanneauImage extends JPanel implements Vue {
                 .getDefaultConfiguration()).getDefaultTransform().getScaleX();
     }
 
-    private double enPixels(double points) {
-        return points / getPixel();
+    /** Le milieu du pixel de l'écran qui est à cette abscisse, ou à cette ordonnée. */
+    private double enPixels(int points) {
+        return points / getPixel() + 0.5;
     }
 
     /** La loupe, à la place que l'image a ici : l'état l'apprend un instant plus tard. */
     private Loupe getLoupe() {
-        return etat.ecran.loupe.dans((int) Math.max(1, Math.round(enPixels(getWidth()))),
-                (int) Math.max(1, Math.round(enPixels(getHeight()))));
+        return etat.ecran.loupe.dans((int) Math.max(1, Math.round(getWidth() / getPixel())),
+                (int) Math.max(1, Math.round(getHeight() / getPixel())));
     }
 
-    /** @param dedans 0.5 pour le milieu d'un pixel de l'écran, et non son bord */
-    private lancer.Point pointSousLaSouris(double dedans) {
-        return getLoupe().pointDe(getImage(), enPixels(souris.x) + dedans, enPixels(souris.y) + dedans);
+    /** Le point de l'image où la souris a fait cela. */
+    private lancer.Point pointSous(MouseEvent e) {
+        return getLoupe().pointDe(getImage(), enPixels(e.getX()), enPixels(e.getY()));
     }
 
     private boolean estSousLaSouris() {
         return getImage() != null && souris != null
-                && getLoupe().contient(getImage(), enPixels(souris.x) + 0.5, enPixels(souris.y) + 0.5);
+                && getLoupe().contient(getImage(), enPixels(souris.getX()), enPixels(souris.getY()));
+    }
+
+    private boolean montreLesEtoiles() {
+        return souris != null && souris.isShiftDown();
     }
 
     /** Le pixel de l'image sous la souris ou, à défaut, au milieu. */
-    Pixel getPixelVise() {
+    private Pixel getPixelVise() {
         Loupe loupe = getLoupe();
-        return estSousLaSouris() ? loupe.pixelDe(getImage(), enPixels(souris.x) + 0.5, enPixels(souris.y) + 0.5)
+        return estSousLaSouris() ? loupe.pixelDe(getImage(), enPixels(souris.getX()), enPixels(souris.getY()))
                 : loupe.pixelDe(getImage(), loupe.largeur / 2.0, loupe.hauteur / 2.0);
     }
 
@@ -259,7 +253,9 @@ final class PanneauImage extends JPanel implements Vue {
                     && etat.explication.faite.inspection != null) {
                 new Figure(etat.explication.faite.inspection).peindre(g2, getVue());
             }
-            peindreLesEtoiles(g2);
+            if (montreLesEtoiles() && etat.montre.dessin != null) {
+                etat.demande.lue.lampes.forEach(lampe -> peindreLEtoile(g2, lampe));
+            }
             g2.dispose();
         }
     }
@@ -278,18 +274,13 @@ final class PanneauImage extends JPanel implements Vue {
                 .getSubimage(de.x, de.y, a.x - de.x + 1, a.y - de.y + 1), vue, null);
     }
 
-    /** Avec Maj, peint l'étoile de chaque lampe qui est devant l'œil. */
-    private void peindreLesEtoiles(Graphics2D g) {
-        if (etoiles && etat.montre.dessin != null) {
-            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            for (Lampe lampe : etat.demande.lue.lampes) {
-                lancer.Point vue = Prise.etoile(etat.montre.dessin.lancer.getCamera(), lampe);
-                if (vue != null) {
-                    lancer.Point ou = getLoupe().placeDe(getImage(), vue.x, vue.y);
-                    Figure.tracer(g, AffineTransform.getTranslateInstance(ou.x * getPixel(), ou.y * getPixel())
-                            .createTransformedShape(ETOILE), Figure.LAMPE);
-                }
-            }
+    /** Peint l'étoile de cette lampe, si elle est devant l'œil. */
+    private void peindreLEtoile(Graphics2D g, Lampe lampe) {
+        lancer.Point vue = Prise.etoile(etat.montre.dessin.lancer.getCamera(), lampe);
+        if (vue != null) {
+            Point2D ou = getVue().transform(new Point2D.Double(vue.x, vue.y), null);
+            Figure.tracer(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                    .createTransformedShape(ETOILE), Figure.LAMPE);
         }
     }
 

@@ -3,216 +3,154 @@ package lancer.fenetre.vue;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
-import java.awt.Insets;
 import java.awt.event.MouseEvent;
-import java.text.ParseException;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.function.BooleanSupplier;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
-import javax.swing.text.InternationalFormatter;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fenetre.etat.Etat;
 import lancer.fenetre.etat.Suite;
-import lancer.texte.Texte;
 
 /** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres. Un changement redessine l'image. */
 @SuppressWarnings("serial")
-final class PanneauReglages extends JScrollPane implements Vue {
+final class PanneauReglages extends JPanel implements Vue {
 
     private static final int MARGE = 8;
     /** Largeur d'une glissière là où la place manque. */
     private static final int LARGEUR = 60;
     private static final int COLONNES = 6;
-
-    private static final Map<String, String> ACCENTS = new HashMap<>();
-
-    static {
-        ACCENTS.put("methode", "méthode");
-        ACCENTS.put("debut", "début");
-        ACCENTS.put("densite", "densité");
-    }
+    private static final int LIGNES = 4;
 
     private final Consumer<Suite.Evenement> recevoir;
     private final Runnable rendreLeClavier;
-    private final JPanel grille = new JPanel(new GridBagLayout());
-    private final List<Runnable> ajustements = new ArrayList<>();
-    /** Vrai pendant que le panneau lui-même change ses composants : l'utilisateur n'a rien changé. */
-    private boolean miseAJour;
-
-    private Reglages presents;
+    private final Grille grille = new Grille();
+    /** Ce qui montre dans chaque composant les réglages présents. */
+    private final List<Consumer<Reglages>> ajustements = new ArrayList<>();
+    /** La commande et les sections qui donnent la même image. */
+    private final Etiquette commande = new Etiquette("commande");
 
     /** @param rendreLeClavier donne le clavier à l'image */
-    PanneauReglages(Reglages presents, Consumer<Suite.Evenement> recevoir, Runnable rendreLeClavier) {
-        this.presents = presents;
+    PanneauReglages(Reglages premiers, Consumer<Suite.Evenement> recevoir, Runnable rendreLeClavier) {
+        super(new BorderLayout(0, MARGE));
         this.recevoir = recevoir;
         this.rendreLeClavier = rendreLeClavier;
-        grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, 0));
         Option.enFenetre().forEach(this::ajouter);
-        for (Variante presente : reglages().getVariantes()) {
-            JCheckBox boite = new JCheckBox(presente.getSection());
-            boite.setName(presente.getSection());
-            boite.addActionListener(e -> changer(reglages().avecVariante(presente, boite.isSelected())));
-            ajustements.add(() -> boite.setSelected(reglages().estBranchee(presente)));
-            poser(boite, 0, GridBagConstraints.REMAINDER);
-            for (Parametre parametre : presente.getParametres()) {
-                ajouter(presente.getSection() + ".", parametre, () -> reglages().getValeur(presente, parametre),
-                        voulue -> regler(presente, parametre, voulue),
-                        () -> reglages().estBranchee(presente));
-            }
-        }
-        // la grille est placée en haut de l'onglet
+        premiers.getVariantes().forEach(this::ajouter);
+        setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         JPanel haut = new JPanel(new BorderLayout());
         haut.add(grille, BorderLayout.PAGE_START);
-        setViewportView(haut);
-        setBorder(null);
-        ajuster();
+        JScrollPane deroulant = new JScrollPane(haut);
+        deroulant.setBorder(BorderFactory.createEmptyBorder());
+        add(deroulant, BorderLayout.CENTER);
+        add(commande.enPlace(LIGNES), BorderLayout.PAGE_END);
     }
 
     @Override
     public void montrer(Etat etat) {
         // un réglage refusé revient, même si rien n'a changé
-        presents = etat.demande.reglages;
-        ajuster();
-    }
-
-    private Reglages reglages() {
-        return presents;
+        ajustements.forEach(ajustement -> ajustement.accept(etat.demande.reglages));
+        commande.setText(Etat.ctrl("Maj+C") + " copie :\n" + etat.direLesReglages());
     }
 
     private <T> void ajouter(Option<T> option) {
-        ajouter("", option.getParametre(), () -> option.ecrire(reglages().get(option)),
-                voulue -> changer(reglages().avec(option, option.lire(voulue))), () -> true);
+        ajouter("", option.getParametre(), presents -> option.ecrire(presents.get(option)),
+                (presents, voulue) -> presents.avec(option, option.lire(voulue)), presents -> true);
+    }
+
+    private void ajouter(Variante variante) {
+        JCheckBox boite = new JCheckBox(variante.getSection());
+        boite.setName(variante.getSection());
+        boite.addActionListener(e -> changer(suite -> suite.regler(presents -> presents.avecVariante(variante,
+                boite.isSelected()))));
+        ajustements.add(presents -> boite.setSelected(presents.estBranchee(variante)));
+        grille.poser(boite, 0, true);
+        for (Parametre parametre : variante.getParametres()) {
+            ajouter(variante.getSection() + ".", parametre, presents -> presents.getValeur(variante, parametre),
+                    (presents, voulue) -> presents.avecSection(variante, presents.getSection(variante)
+                            .avec(parametre.cle, voulue, parametre.cleIncompatible)),
+                    presents -> presents.estBranchee(variante));
+        }
     }
 
     /**
      * Ajoute un réglage.
      *
      * @param prefixe précède le titre dans le nom du composant
-     * @param present sa valeur, ou {@code null} si une autre la remplace
+     * @param presente sa valeur, ou {@code null} si une autre la remplace
+     * @param avec donne les réglages où il a cette valeur
      * @param possible dit s'il a un effet
      */
-    private void ajouter(String prefixe, Parametre reglage, Supplier<String> present, Consumer<String> siChange,
-            BooleanSupplier possible) {
+    private void ajouter(String prefixe, Parametre reglage, Function<Reglages, String> presente,
+            BiFunction<Reglages, String, Reglages> avec, Predicate<Reglages> possible) {
+        Function<String, Suite.Evenement> changement =
+                voulue -> suite -> suite.regler(reglage, voulue, presents -> avec.apply(presents, voulue));
         JLabel valeur = new JLabel();
         JComponent composant;
-        Consumer<String> montre;
         if (reglage.estUnNombre()) {
-            JSlider glissiere = glissiere(reglage, siChange);
-            composant = glissiere;
-            montre = dite -> {
+            JSlider glissiere = new JSlider(0, reglage.valeurs.size() - 1, 0);
+            glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
+            // sans cet écart, les flèches du clavier n'auraient pas d'effet
+            glissiere.setMinorTickSpacing(1);
+            glissiere.setSnapToTicks(true);
+            glissiere.addChangeListener(e -> {
+                // elle bouge aussi pour montrer une valeur, parfois d'entre deux crans
+                if (glissiere.getValue() != reglage.getRang(valeur.getText())) {
+                    changer(changement.apply(reglage.valeurs.get(glissiere.getValue())));
+                }
+            });
+            ajustements.add(presents -> {
+                String dite = presente.apply(presents);
                 valeur.setText(dite == null ? "—" : dite);
                 if (!glissiere.getValueIsAdjusting()) {
                     glissiere.setValue(reglage.getRang(valeur.getText()));
                 }
-            };
-        } else if (reglage.valeurs.isEmpty()) {
-            JFormattedTextField champ = champ(reglage, siChange);
+            });
+            composant = glissiere;
+        } else if (reglage.estUnTexte()) {
+            Champ champ = new Champ(COLONNES, recevoir, changement);
+            ajustements.add(presents -> champ.montrer(presente.apply(presents)));
             composant = champ;
-            montre = dite -> {
-                // un texte que l'on écrit reste, tant que la valeur est la même
-                if (!Objects.equals(dite, champ.getValue())) {
-                    champ.setValue(dite);
-                }
-            };
         } else {
             JComboBox<String> mots = new JComboBox<>(reglage.valeurs.toArray(new String[0]));
-            mots.addActionListener(e -> siChange.accept(mots.getItemAt(mots.getSelectedIndex())));
+            mots.addActionListener(e -> changer(changement.apply(mots.getItemAt(mots.getSelectedIndex()))));
+            ajustements.add(presents -> {
+                if (!presente.apply(presents).equals(mots.getSelectedItem())) {
+                    mots.setSelectedItem(presente.apply(presents));
+                }
+            });
             composant = mots;
-            montre = mots::setSelectedItem;
         }
         composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
-        composant.getAccessibleContext().setAccessibleName(composant.getName());
-        JLabel titre = new JLabel(ACCENTS.getOrDefault(reglage.getTitre(), reglage.getTitre()));
-        titre.setLabelFor(composant);
-        poser(titre, 0, 1);
+        ajustements.add(presents -> composant.setEnabled(possible.test(presents)));
         // à côté de ce qui se lit en toutes lettres, pas de place perdue : un écran est parfois étroit
-        poser(composant, 1, reglage.estUnNombre() ? 1 : GridBagConstraints.REMAINDER);
+        String nom = reglage.getTitre().replace("methode", "méthode").replace("debut", "début")
+                .replace("densite", "densité");
+        grille.nommer(nom, composant, !reglage.estUnNombre());
         if (reglage.estUnNombre()) {
-            poser(valeur, 0, GridBagConstraints.REMAINDER);
-        }
-        ajustements.add(() -> {
-            montre.accept(present.get());
-            composant.setEnabled(possible.getAsBoolean());
-        });
-    }
-
-    /** Un texte à taper. Une valeur impossible est dite, et laissée à corriger. */
-    private JFormattedTextField champ(Parametre reglage, Consumer<String> siChange) {
-        JFormattedTextField champ = new JFormattedTextField(new InternationalFormatter() {
-            @Override
-            public Object stringToValue(String texte) throws ParseException {
-                if (!reglage.accepte(texte.trim())) {
-                    String faute = texte.trim().isEmpty() ? "aucune valeur" : "valeur impossible, " + Texte.cite(texte);
-                    recevoir.accept(suite -> suite.refuser(reglage.getTitre() + " : " + faute + " ; attendu : "
-                            + reglage.attendu));
-                    throw new ParseException(texte, 0);
-                }
-                recevoir.accept(Suite::oublierLeRefus);
-                return texte.trim();
-            }
-        });
-        champ.setColumns(COLONNES);
-        champ.addPropertyChangeListener("value", e -> siChange.accept((String) champ.getValue()));
-        return champ;
-    }
-
-    private static JSlider glissiere(Parametre reglage, Consumer<String> siChange) {
-        JSlider glissiere = new JSlider(0, reglage.valeurs.size() - 1, 0);
-        glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
-        // sans cet écart, les flèches du clavier n'auraient pas d'effet
-        glissiere.setMinorTickSpacing(1);
-        glissiere.setSnapToTicks(true);
-        glissiere.addChangeListener(e -> siChange.accept(reglage.valeurs.get(glissiere.getValue())));
-        return glissiere;
-    }
-
-    private void poser(JComponent composant, int part, int colonnes) {
-        grille.add(composant, new GridBagConstraints(GridBagConstraints.RELATIVE, GridBagConstraints.RELATIVE, colonnes,
-                1, part, 0, GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
-                new Insets(0, colonnes == 1 && part == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
-    }
-
-    private void regler(Variante variante, Parametre parametre, String voulue) {
-        Section section = reglages().getSection(variante);
-        if (!miseAJour && !voulue.equals(section.mot(parametre.cle, null))) {
-            changer(reglages().avecSection(variante, section.avec(parametre.cle, voulue, parametre.cleIncompatible)));
+            grille.poser(valeur, 0, true);
         }
     }
 
-    private void changer(Reglages voulus) {
-        if (!miseAJour) {
-            // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
-            if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
-                rendreLeClavier.run();
-            }
-            recevoir.accept(suite -> suite.regler(voulus));
+    private void changer(Suite.Evenement changement) {
+        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
+        if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
+            rendreLeClavier.run();
         }
-    }
-
-    private void ajuster() {
-        miseAJour = true;
-        ajustements.forEach(Runnable::run);
-        miseAJour = false;
+        recevoir.accept(changement);
     }
 }

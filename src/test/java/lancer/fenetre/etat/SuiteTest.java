@@ -285,15 +285,18 @@ class SuiteTest extends EssaiSuite {
         Reglages premier = etat.mesures.essais.keySet().iterator().next();
         fichier("autre.ini", ROUGE.replace("rayon=1", "rayon=2"));
         faire("ouvre autre.ini");
-        arrive(suite -> suite.prendre(premier));
+        arrive(suite -> suite.viser(premier));
+        arrive(Suite::prendre);
         assertEquals(5, etat.demande.reglages.get(Option.REFLETS), "elle se lit");
         executer();
         faire("clic 3 3, étape PHONG");
-        arrive(suite -> suite.prendre(premier.avec(Option.REFLETS, 3)));
+        arrive(suite -> suite.viser(premier.avec(Option.REFLETS, 3)));
+        arrive(Suite::prendre);
         faire("achève");
         assertEquals(5, etat.demande.reglages.get(Option.REFLETS), "ce point n'est pas des siens");
         faire("étape REFLETS, F3, achève");
-        arrive(suite -> suite.prendre(premier));
+        arrive(suite -> suite.viser(premier));
+        arrive(Suite::prendre);
         assertEquals(premier, etat.demande.reglages, "mesuré sur elle, il l'est");
     }
 

@@ -72,7 +72,6 @@ public final class Figure {
      * @param projection donne un segment, ou {@code null} s'il ne se voit pas
      */
     void peindre(Graphics2D g, Shape cadre, Color encre, BiFunction<Point, Point, Line2D> projection) {
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Shape avant = g.getClip();
         g.clip(cadre);
         Point depart = pixel.camera.getOeil();
@@ -114,6 +113,7 @@ public final class Figure {
     /** Peint ce trait, bordé, sur un fond de n'importe quelle couleur ; {@code null} pour rien. */
     public static void tracer(Graphics2D g, Shape trait, Color couleur) {
         if (trait != null) {
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
             g.setStroke(LARGE);
             g.setColor(LISERE);
             g.draw(trait);

@@ -7,11 +7,13 @@ import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -39,14 +41,61 @@ public final class GraphiqueVitesse extends JPanel {
     private static final double AU_DELA = 1.25;
     private static final double LARGE = 8;
 
-    /** Les réglages dessinés, du plus rapide au plus lent. */
-    private List<Essai> essais = Collections.emptyList();
-    private Reglages present;
-    private Reglages vise;
-    private double xMin;
-    private double xMax;
-    private double yMin;
-    private double yMax;
+    private Trace trace = new Trace(Collections.emptyList(), null, null);
+
+    /** Ce qui est tracé. Immuable. */
+    private static final class Trace {
+
+        /** Les réglages dessinés, du plus rapide au plus lent. */
+        final List<Essai> essais;
+        final Reglages present;
+        final Reglages vise;
+        final Axe temps;
+        final Axe erreurs;
+
+        Trace(Collection<Essai> tous, Reglages present, Reglages vise) {
+            this.present = present;
+            this.vise = vise;
+            essais = tous.stream().filter(Essai::estFait)
+                    .sorted(Comparator.comparingDouble(GraphiqueVitesse::secondes)).collect(Collectors.toList());
+            temps = new Axe(essais.stream().map(essai -> essai.durees)
+                    .flatMapToDouble(d -> DoubleStream.of(d.getMin() / 1e9, d.getMax() / 1e9)));
+            erreurs = new Axe(essais.stream().filter(Essai::estVue).flatMapToDouble(e -> DoubleStream.of(
+                    Math.max(e.erreur - e.incertitude, e.erreur / 2), e.erreur + e.incertitude)));
+        }
+    }
+
+    /** Un axe logarithmique, un peu plus long que ce qu'il porte. */
+    private static final class Axe {
+
+        final double min;
+        final double max;
+
+        Axe(DoubleStream valeurs) {
+            DoubleSummaryStatistics bornes = valeurs.summaryStatistics();
+            min = (bornes.getCount() == 0 ? 0.1 : bornes.getMin()) / AU_DELA;
+            max = (bornes.getCount() == 0 ? 1 : bornes.getMax()) * AU_DELA;
+        }
+
+        /** La place de cette valeur, de 0 à 1 ; ce qui n'a pas été vu est au début. */
+        double part(double valeur) {
+            return Math.log(Math.max(valeur, min) / min) / Math.log(max / min);
+        }
+
+        /** 1, 2 et 5 fois une puissance de dix ou, si l'axe est court, des nombres à égale distance. */
+        DoubleStream graduations() {
+            if (max > LARGE * min) {
+                return IntStream.range(-30, 30).mapToDouble(Axe::rond).filter(t -> t >= min && t <= max);
+            }
+            double pas = IntStream.range(-30, 30).mapToDouble(Axe::rond).filter(p -> max - min < 6 * p)
+                    .findFirst().getAsDouble();
+            return IntStream.rangeClosed((int) Math.ceil(min / pas), (int) (max / pas)).mapToDouble(k -> k * pas);
+        }
+
+        private static double rond(int k) {
+            return new int[] {1, 2, 5}[Math.floorMod(k, 3)] * Math.pow(10, Math.floorDiv(k, 3));
+        }
+    }
 
     public GraphiqueVitesse() {
         setName("vitesse.graphique");
@@ -56,62 +105,38 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** @param celui le réglage de l'image montrée @param entoure celui qui est entouré, ou {@code null} */
     public void montrer(Collection<Essai> tous, Reglages celui, Reglages entoure) {
-        present = celui;
-        vise = entoure;
-        essais = tous.stream().filter(Essai::estFait)
-                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
-        xMin = essais.stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / AU_DELA;
-        xMax = essais.stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * AU_DELA;
-        yMin = essais.stream().filter(Essai::estVue).mapToDouble(p -> Math.max(p.erreur - p.incertitude, p.erreur / 2))
-                .min().orElse(0.1) / AU_DELA;
-        yMax = essais.stream().filter(Essai::estVue).mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1)
-                * AU_DELA;
+        trace = new Trace(tous, celui, entoure);
         repaint();
     }
 
     /** Le réglage sous ce point, ou {@code null}. */
     public Essai sous(Point ou) {
-        return essais.stream().min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p))))
-                .filter(p -> ou.distance(x(p), y(p)) < 2 * RAYON).orElse(null);
+        return trace.essais.stream().min(Comparator.comparingDouble(p -> ou.distance(place(p))))
+                .filter(p -> ou.distance(place(p)) < 2 * RAYON).orElse(null);
     }
 
-    /** Le réglage dessiné qui suit celui-ci, ou le précède ; le premier si celui-ci n'est pas dessiné. */
-    public Essai voisin(Reglages celui, int pas) {
-        int rang = IntStream.range(0, essais.size()).filter(k -> essais.get(k).reglages.equals(celui)).findFirst()
+    /** Le réglage dessiné qui suit, ou précède, celui qui est entouré ; à défaut, le premier, s'il y en a un. */
+    public Essai voisin(int pas) {
+        List<Essai> essais = trace.essais;
+        int rang = IntStream.range(0, essais.size()).filter(k -> essais.get(k).reglages.equals(trace.vise)).findFirst()
                 .orElse(-pas);
         return essais.isEmpty() ? null : essais.get(Math.max(0, Math.min(essais.size() - 1, rang + pas)));
     }
 
-    /** Les graduations d'un axe entre ces bornes : 1, 2 et 5 fois une puissance de dix ou, s'il est court, égales. */
-    private static DoubleStream graduations(double min, double max) {
-        if (max > LARGE * min) {
-            return IntStream.range(-30, 30).mapToDouble(GraphiqueVitesse::ronde).filter(t -> t >= min && t <= max);
-        }
-        double pas = IntStream.range(-30, 30).mapToDouble(GraphiqueVitesse::ronde).filter(p -> max - min < 6 * p)
-                .findFirst().getAsDouble();
-        return IntStream.rangeClosed((int) Math.ceil(min / pas), (int) (max / pas)).mapToDouble(k -> k * pas);
+    private static double secondes(Essai p) {
+        return p.durees.getMediane() / 1e9;
     }
 
-    private static double ronde(int k) {
-        return new int[] {1, 2, 5}[Math.floorMod(k, 3)] * Math.pow(10, Math.floorDiv(k, 3));
+    private double x(double secondes) {
+        return MARGE + (getWidth() - MARGE - BORD) * trace.temps.part(secondes);
     }
 
-    private double x(Essai p) {
-        return x(p.durees.getMediane());
-    }
-
-    private double y(Essai p) {
-        return y(p.erreur);
-    }
-
-    private double x(double ns) {
-        return MARGE + (getWidth() - MARGE - BORD) * Math.log(ns / xMin) / Math.log(xMax / xMin);
-    }
-
-    /** Une erreur qui n'a pas été vue est au bas de l'axe. */
     private double y(double erreur) {
-        double part = Math.log(Math.max(erreur, yMin) / yMin) / Math.log(yMax / yMin);
-        return getHeight() - MARGE - (getHeight() - MARGE - HAUT) * part;
+        return getHeight() - MARGE - (getHeight() - MARGE - HAUT) * trace.erreurs.part(erreur);
+    }
+
+    private Point2D place(Essai p) {
+        return new Point2D.Double(x(secondes(p)), y(p.erreur));
     }
 
     @Override
@@ -120,30 +145,29 @@ public final class GraphiqueVitesse extends JPanel {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        if (!essais.isEmpty()) {
+        if (!trace.essais.isEmpty()) {
             peindreAxes(g, getWidth() - BORD, getHeight() - MARGE);
-            essais.forEach(p -> peindre(g, p));
+            trace.essais.forEach(p -> peindre(g, p));
             // un nom ne cache ni un point, ni un autre nom
-            List<Rectangle2D> pris = essais.stream().map(p -> rond(p, RAYON).getBounds2D())
+            List<Rectangle2D> pris = trace.essais.stream().map(p -> rond(p, RAYON).getBounds2D())
                     .collect(Collectors.toCollection(ArrayList::new));
-            essais.forEach(p -> nommer(g, p, pris));
+            trace.essais.forEach(p -> nommer(g, p, pris));
         }
     }
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
         Color trame = UIManager.getColor("Panel.background");
         double[] fin = {0};
-        graduations(xMin / 1e9, xMax / 1e9).forEach(t -> {
-            double x = x(t * 1e9);
+        trace.temps.graduations().forEach(t -> {
             g.setColor(trame);
-            g.draw(new Line2D.Double(x, HAUT, x, bas));
+            g.draw(new Line2D.Double(x(t), HAUT, x(t), bas));
             double demi = g.getFontMetrics().stringWidth(nombre(t)) / 2.0;
-            if (x - demi > fin[0]) {
-                ecrire(g, nombre(t), x, bas + 15, 0.5);
-                fin[0] = x + demi + RAYON;
+            if (x(t) - demi > fin[0]) {
+                ecrire(g, nombre(t), x(t), bas + 15, 0.5);
+                fin[0] = x(t) + demi + RAYON;
             }
         });
-        graduations(yMin, yMax).forEach(e -> {
+        trace.erreurs.graduations().forEach(e -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(MARGE, y(e), droite, y(e)));
             ecrire(g, nombre(e), MARGE - 6, y(e) + 4, 1);
@@ -153,17 +177,19 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private Ellipse2D rond(Essai p, int rayon) {
-        return new Ellipse2D.Double(x(p) - rayon, y(p) - rayon, 2 * rayon, 2 * rayon);
+        return new Ellipse2D.Double(place(p).getX() - rayon, place(p).getY() - rayon, 2 * rayon, 2 * rayon);
     }
 
     /** Peint ce réglage et ses deux intervalles. */
     private void peindre(Graphics2D g, Essai p) {
         // bleu sombre sur un fond clair, et le contraire
         g.setColor(UIManager.getColor("Tree.background").getRed() < 128 ? POINT_CLAIR : POINT);
-        g.draw(new Line2D.Double(x(p), y(p.erreur - p.incertitude), x(p), y(p.erreur + p.incertitude)));
-        g.draw(new Line2D.Double(x(p.durees.getMin()), y(p), x(p.durees.getMax()), y(p)));
+        double x = place(p).getX();
+        double y = place(p).getY();
+        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
+        g.draw(new Line2D.Double(x(p.durees.getMin() / 1e9), y, x(p.durees.getMax() / 1e9), y));
         g.fill(rond(p, RAYON));
-        if (p.reglages.equals(vise)) {
+        if (p.reglages.equals(trace.vise)) {
             g.setColor(UIManager.getColor("Component.focusColor"));
             g.draw(rond(p, 2 * RAYON));
         }
@@ -171,20 +197,20 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Écrit son nom à côté de lui, là où il ne couvre rien et n'est pas plus près d'un autre point. */
     private void nommer(Graphics2D g, Essai p, List<Rectangle2D> pris) {
-        String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
+        String nom = p.reglages.equals(trace.present) ? "ici : " + p.getNom() : p.getNom();
         double large = g.getFontMetrics().stringWidth(nom);
         double haut = g.getFontMetrics().getHeight();
         Rectangle2D cadre = new Rectangle2D.Double(MARGE, HAUT - haut / 2, getWidth() - MARGE,
                 getHeight() - MARGE - HAUT + haut);
         for (double[] vers : PLACES) {
-            double milieu = y(p) + vers[1] * (RAYON + haut / 2);
             double marge = vers[1] == 0 ? 2 * RAYON : 0;
-            double gauche = x(p) - large / 2 + vers[0] * (marge + large / 2);
-            Rectangle2D place = new Rectangle2D.Double(gauche, milieu - haut / 2, large, haut);
-            if (cadre.contains(place) && pris.stream().noneMatch(place::intersects) && essais.stream()
+            Rectangle2D place = new Rectangle2D.Double(
+                    place(p).getX() - large / 2 + vers[0] * (marge + large / 2),
+                    place(p).getY() - haut / 2 + vers[1] * (RAYON + haut / 2), large, haut);
+            if (cadre.contains(place) && pris.stream().noneMatch(place::intersects) && trace.essais.stream()
                     .noneMatch(autre -> ecart(place, autre) < ecart(place, p))) {
                 pris.add(place);
-                ecrire(g, nom, gauche, milieu + haut / 2 - g.getFontMetrics().getDescent(), 0);
+                ecrire(g, nom, place.getX(), place.getMaxY() - g.getFontMetrics().getDescent(), 0);
                 return;
             }
         }
@@ -192,8 +218,9 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** La distance de ce point au bord de cette place. */
     private double ecart(Rectangle2D place, Essai p) {
-        double dx = Math.max(0, Math.max(place.getMinX() - x(p), x(p) - place.getMaxX()));
-        double dy = Math.max(0, Math.max(place.getMinY() - y(p), y(p) - place.getMaxY()));
+        Point2D ou = place(p);
+        double dx = Math.max(0, Math.max(place.getMinX() - ou.getX(), ou.getX() - place.getMaxX()));
+        double dy = Math.max(0, Math.max(place.getMinY() - ou.getY(), ou.getY() - place.getMaxY()));
         return Math.hypot(dx, dy);
     }
 

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
@@ -32,8 +33,6 @@ public final class VueDeCote extends JPanel {
     private static final Color SPHERE = new Color(0x909090);
 
     private Inspection pixel;
-    /** Ce qui place dans la figure un point, vu de l'œil, d'abscisse z et d'ordonnée y. */
-    private AffineTransform vue;
 
     public VueDeCote() {
         setName("cote");
@@ -52,13 +51,12 @@ public final class VueDeCote extends JPanel {
         g.fillRect(0, 0, getWidth(), getHeight());
         if (pixel != null) {
             ((Graphics2D) g).setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            cadrer();
-            peindre((Graphics2D) g);
+            peindre((Graphics2D) g, cadrer());
         }
     }
 
-    /** Choisit l'échelle qui contient l'œil, l'écran et les contacts. */
-    private void cadrer() {
+    /** Ce qui place un point, vu de l'œil, d'abscisse z et d'ordonnée y, et montre l'œil, l'écran et les contacts. */
+    AffineTransform cadrer() {
         List<Point> points = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
                 .collect(Collectors.toCollection(ArrayList::new));
         points.add(pixel.camera.getEcran(0, 0));
@@ -72,41 +70,39 @@ public final class VueDeCote extends JPanel {
         double marge = 1 + (z.getMax() - ecran) / 10;
         double echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z.getMin()),
                 (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
-        vue = AffineTransform.getTranslateInstance(MARGE, getHeight() / 2.0);
+        AffineTransform vue = AffineTransform.getTranslateInstance(MARGE, getHeight() / 2.0);
         vue.scale(echelle, -echelle);
         vue.translate(-z.getMin(), -(y.getMin() + y.getMax()) / 2);
+        return vue;
     }
 
-    Point2D place(Point p) {
+    Point2D place(AffineTransform vue, Point p) {
         Vecteur vu = pixel.camera.depuisLOeil(p);
         return vue.transform(new Point2D.Double(vu.z, vu.y), null);
     }
 
-    private Line2D ligne(Point a, Point b) {
-        return new Line2D.Double(place(a), place(b));
-    }
-
-    private void peindre(Graphics2D g) {
+    private void peindre(Graphics2D g, AffineTransform vue) {
         for (Segment segment : pixel.getSegments()) {
-            entourer(g, segment.contact);
-            segment.eclairages.forEach(lampe -> entourer(g, lampe.obstacle));
+            entourer(g, vue, segment.contact);
+            segment.eclairages.forEach(lampe -> entourer(g, vue, lampe.obstacle));
         }
+        BiFunction<Point, Point, Line2D> ligne = (a, b) -> new Line2D.Double(place(vue, a), place(vue, b));
         Color encre = UIManager.getColor("Tree.textForeground");
         g.setColor(encre);
-        g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
-        new Figure(pixel).peindre(g, new Rectangle(getSize()), encre, this::ligne);
-        Point2D oeil = place(pixel.camera.getOeil());
+        g.draw(ligne.apply(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
+        new Figure(pixel).peindre(g, new Rectangle(getSize()), encre, ligne);
+        Point2D oeil = place(vue, pixel.camera.getOeil());
         g.setColor(encre);
         g.fill(new Ellipse2D.Double(oeil.getX() - 3, oeil.getY() - 3, 6, 6));
         g.drawString("œil", (float) oeil.getX(), (float) oeil.getY() - 6);
     }
 
     /** Peint le bord visible d'une sphère : d'un grand cercle, Java ne peint juste qu'un petit arc. */
-    private void entourer(Graphics2D g, PointContact contact) {
+    private void entourer(Graphics2D g, AffineTransform vue, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;
-            double x = place(s.getCentre()).getX();
-            double y = place(s.getCentre()).getY();
+            double x = place(vue, s.getCentre()).getX();
+            double y = place(vue, s.getCentre()).getY();
             double r = s.getRayon() * vue.getScaleX();
             double milieu = Math.toDegrees(Math.atan2(y - getHeight() / 2.0, getWidth() / 2.0 - x));
             double demi = Math.min(180, Math.toDegrees(2 * Math.hypot(getWidth(), getHeight()) / r));

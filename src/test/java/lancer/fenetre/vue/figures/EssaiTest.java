@@ -71,12 +71,16 @@ class EssaiTest {
     @Test
     void lesFlechesVontDUnPointAuSuivantSansSortir() {
         List<Essai> essais = Arrays.asList(essai(2, 0.5, 4), essai(0, 30, 1), essai(1, 3, 2));
+        assertEquals(essais.get(1), voisin(essais, null, 1), "le plus rapide d'abord");
+        assertEquals(essais.get(2), voisin(essais, essais.get(1), 1));
+        assertEquals(essais.get(0), voisin(essais, essais.get(0), 1));
+        assertEquals(essais.get(1), voisin(essais, essais.get(1), -1));
+    }
+
+    private static Essai voisin(List<Essai> essais, Essai vise, int pas) {
         GraphiqueVitesse graphique = new GraphiqueVitesse();
-        graphique.montrer(essais, essais.get(0).reglages, null);
-        assertEquals(essais.get(1), graphique.voisin(null, 1), "le plus rapide d'abord");
-        assertEquals(essais.get(2), graphique.voisin(essais.get(1).reglages, 1));
-        assertEquals(essais.get(0), graphique.voisin(essais.get(0).reglages, 1));
-        assertEquals(essais.get(1), graphique.voisin(essais.get(1).reglages, -1));
+        graphique.montrer(essais, essais.get(0).reglages, vise == null ? null : vise.reglages);
+        return graphique.voisin(pas);
     }
 
     @Test

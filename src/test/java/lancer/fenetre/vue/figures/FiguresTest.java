@@ -90,15 +90,15 @@ class FiguresTest {
         vue.paint(image.createGraphics());
         Point oeil = camera.getOeil();
         assertEquals(UIManager.getColor("Tree.textForeground").getRGB(),
-                image.getRGB((int) vue.place(oeil).getX() - 2, (int) vue.place(oeil).getY()), "l'œil");
+                image.getRGB((int) vue.place(vue.cadrer(), oeil).getX() - 2, (int) vue.place(vue.cadrer(), oeil).getY()), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
-            assertTrue(new Color(image.getRGB((int) vue.place(bord).getX(), (int) vue.place(bord).getY())).getRed() < BLANC, "l'écran");
+            assertTrue(new Color(image.getRGB((int) vue.place(vue.cadrer(), bord).getX(), (int) vue.place(vue.cadrer(), bord).getY())).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
         for (Point passe : new Point[] {milieu(oeil, ecran), ecran, milieu(ecran, contact)}) {
-            assertTrue(voisins(image, vue.place(passe).getX(), vue.place(passe).getY(), true), "le rayon en " + passe);
+            assertTrue(voisins(image, vue.place(vue.cadrer(), passe).getX(), vue.place(vue.cadrer(), passe).getY(), true), "le rayon en " + passe);
         }
     }
 
@@ -133,10 +133,10 @@ class FiguresTest {
         vue.paint(peinte.createGraphics());
         int jugees = 0;
         for (int x = 0; x < 500; x++) {
-            double dz = (x + 0.5 - vue.place(new Point(0, 0, z)).getX())
-                    / (vue.place(new Point(0, 0, 1)).getX() - vue.place(new Point()).getX());
+            double dz = (x + 0.5 - vue.place(vue.cadrer(), new Point(0, 0, z)).getX())
+                    / (vue.place(vue.cadrer(), new Point(0, 0, 1)).getX() - vue.place(vue.cadrer(), new Point()).getX());
             if (Math.abs(dz) < 0.9 * rayon) {
-                double hauteur = vue.place(new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z)).getY();
+                double hauteur = vue.place(vue.cadrer(), new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z)).getY();
                 if (hauteur > 1 && hauteur < 178) {
                     jugees++;
                     assertTrue(estGris(peinte, x, (int) (hauteur - 0.5)) || estGris(peinte, x, (int) (hauteur + 0.5)),
