@@ -57,6 +57,6 @@ public final class Fenetre {
         if (etat != avant && cadre != null) {
             cadre.montrer(etat);
         }
-        suite.getOrdres().forEach(ordre -> ordre.executer(moteur, cadre));
+        suite.getOrdres().forEach(ordre -> ordre.executer(moteur, cadre == null ? null : cadre.getDialogues()));
     }
 }

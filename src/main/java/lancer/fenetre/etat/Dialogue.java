@@ -5,6 +5,9 @@ import lancer.image.ImageMemoire;
 /** Ce que la fenêtre demande à l'utilisateur, ou met dans le presse-papiers. Les réponses sont des événements. */
 public interface Dialogue {
 
+    /** Demande quelle scène ouvrir. @param presente celle qui est demandée, ou {@code null} */
+    void choisirUneScene(String presente);
+
     /** Demande que faire de ce qui n'est pas écrit dans cette scène. */
     void demanderDEcrire(String nom);
 

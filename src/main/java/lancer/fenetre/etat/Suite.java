@@ -108,6 +108,12 @@ public final class Suite extends Etat.Changement {
         ordres.add((moteur, vue) -> moteur.surveiller(lue.lue.nom));
     }
 
+    /** Demande quelle scène ouvrir. */
+    public void choisirUneScene() {
+        String presente = source.fichier;
+        ordres.add((moteur, vue) -> vue.choisirUneScene(presente));
+    }
+
     /** Ouvre cette scène, une fois que les changements de celle-ci sont écrits, ou que l'on y renonce. */
     public void ouvrir(String fichier) {
         sansRienPerdre(new Apres(fichier));

@@ -2,8 +2,6 @@ package lancer.fenetre.vue;
 
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -51,12 +49,11 @@ final class Bandeau extends Etiquette implements Vue {
                 oubli.restart();
             }
         }
-        List<String> graves = new ArrayList<>(etat.getFautesALire());
-        graves.add(0, etat.getAlerte());
-        String texte = Stream.concat(graves.stream(), Stream.of(avis.texte)).filter(dit -> !dit.isEmpty())
+        Stream<String> graves = Stream.concat(Stream.of(etat.getAlerte()), etat.getFautesALire().stream());
+        String texte = Stream.concat(graves, Stream.of(avis.texte)).filter(dit -> !dit.isEmpty())
                 .flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe).distinct()
                 .collect(Collectors.joining("\n"));
-        boolean grave = !String.join("", graves).isEmpty() || !avis.passe();
+        boolean grave = !etat.getAlerte().isEmpty() || !etat.getFautesALire().isEmpty() || !avis.passe();
         setBackground(UIManager.getColor("ToolTip.background"));
         setForeground(UIManager.getColor("ToolTip.foreground"));
         setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE, 0, 0,

@@ -3,6 +3,9 @@ package lancer.fenetre.vue;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.util.Collections;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
@@ -11,15 +14,17 @@ import javax.swing.JProgressBar;
 import lancer.fenetre.etat.Etat;
 import lancer.fenetre.etat.Pixel;
 import lancer.image.ImageMemoire;
+import lancer.image.ImageMemoire.Teinte;
 
-/** Le bas de la fenêtre : l'avancement, le pixel sous la souris, un résumé de l'image, la légende d'une vue. */
+/** Le bas de la fenêtre : l'avancement, le pixel sous la souris, la légende d'une vue, un résumé de l'image. */
 @SuppressWarnings("serial")
 final class BarreEtat extends JPanel implements Vue {
 
     private static final int MARGE = 6;
     private static final int FILET = 3;
+    private static final int PASTILLE = 16;
     private static final int POUR_MILLE = 1000;
-    private static final int LIGNES_MAX = 4;
+    private static final int LIGNES_MAX = 3;
     /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
     private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
     /** Un long résumé, à ses réglages près. */
@@ -31,7 +36,8 @@ final class BarreEtat extends JPanel implements Vue {
     private final Etiquette resume = new Etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JLabel pastille = new JLabel("    ");
-    private final Legende legende = new Legende();
+    private final JPanel legende = new JPanel(new FlowLayout(FlowLayout.TRAILING, MARGE, 0));
+    private List<Teinte> teintes = Collections.emptyList();
 
     /**
      * @param premier le premier état : son image donne sa largeur à la barre, ses réglages leur longueur au résumé
@@ -43,6 +49,7 @@ final class BarreEtat extends JPanel implements Vue {
         this.souris = souris;
         setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE / 2, MARGE));
         pixel.setName("pixel");
+        legende.setName("legende");
         avancement.setName("avancement");
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
         avancement.setBorderPainted(false);
@@ -54,7 +61,7 @@ final class BarreEtat extends JPanel implements Vue {
         haut.add(legende, BorderLayout.CENTER);
         haut.add(pastille, BorderLayout.LINE_END);
         add(haut, BorderLayout.PAGE_START);
-        add(resume, BorderLayout.CENTER);
+        add(resume.enPlace(1), BorderLayout.CENTER);
     }
 
     private int largeur(String texte) {
@@ -64,16 +71,14 @@ final class BarreEtat extends JPanel implements Vue {
     /** La place de la barre. À une taille des textes, sa hauteur ne change pas : l'image ne bouge pas. */
     @Override
     public Dimension getPreferredSize() {
-        Dimension voulue = super.getPreferredSize();
         int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
         int place = Math.max(largeur(PIXEL), premier.ecran.loupe.largeur - 2 * MARGE);
-        int lignes = Math.min(LIGNES_MAX, 1 + longueur / place);
+        resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / place));
         return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
-                voulue.height - resume.getPreferredSize().height
-                        + lignes * getFontMetrics(resume.getFont()).getHeight());
+                super.getPreferredSize().height);
     }
 
-    /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image ; et la couleur du pixel sous la souris. */
+    /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image ; et ce qui est sous la souris. */
     @Override
     public void montrer(Etat etat) {
         String texte = etat.getResume();
@@ -81,20 +86,37 @@ final class BarreEtat extends JPanel implements Vue {
         avancement.getAccessibleContext().setAccessibleDescription(texte);
         resume.setText(texte);
         resume.setToolTipText(texte);
-        legende.montrer(etat);
-        Pixel ou = souris.get();
-        String dit = " ";
-        if (ou != null) {
-            ImageMemoire image = etat.getVisible().image;
-            int k = ou.y * image.largeur + ou.x;
-            Color c = new Color(image.codes[k]);
-            pastille.setBackground(c);
-            dit = String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
-                    etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
-                    c.getBlue(), etat.direLePixel(k));
+        if (etat.getVisible() != null && etat.getVisible().image.teintes != teintes) {
+            montrerLaLegende(etat.getVisible().image);
         }
-        pixel.setText(dit);
+        Pixel ou = souris.get();
         pastille.setOpaque(ou != null);
         pastille.repaint();
+        if (ou == null) {
+            pixel.setText(" ");
+            return;
+        }
+        ImageMemoire image = etat.getVisible().image;
+        int k = ou.y * image.largeur + ou.x;
+        Color c = new Color(image.codes[k]);
+        pastille.setBackground(c);
+        pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+                etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
+                c.getBlue(), etat.direLePixel(k)));
+    }
+
+    private void montrerLaLegende(ImageMemoire image) {
+        teintes = image.teintes;
+        legende.removeAll();
+        teintes.forEach(teinte -> {
+            JLabel mot = new JLabel(teinte.mot + " ");
+            mot.setBorder(BorderFactory.createCompoundBorder(BorderFactory.createLineBorder(getForeground()),
+                    Etiquette.pastille(teinte.couleur, PASTILLE)));
+            legende.add(mot);
+        });
+        legende.setToolTipText(image.echelle);
+        legende.getAccessibleContext().setAccessibleDescription(image.echelle);
+        legende.revalidate();
+        legende.repaint();
     }
 }

@@ -4,13 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.StringSelection;
-import java.awt.datatransfer.Transferable;
-import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.awt.image.BufferedImage;
-import java.io.File;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -25,11 +19,10 @@ import javax.swing.WindowConstants;
 import lancer.fenetre.etat.Dialogue;
 import lancer.fenetre.etat.Etat;
 import lancer.fenetre.etat.Suite;
-import lancer.image.ImageMemoire;
 
 /** Le cadre : l'image et les onglets, le titre, la ligne du bas. Une horloge y montre où en est le dessin en cours. */
 @SuppressWarnings("serial")
-public final class Cadre extends JFrame implements Vue, Dialogue {
+public final class Cadre extends JFrame implements Vue {
 
     private static final int PERIODE_MS = 33;
 
@@ -39,11 +32,10 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
     private final PanneauImage image;
     private final BarreEtat barre;
     private final Onglets onglets;
+    private final Dialogues dialogues;
     private final Commandes commandes;
     private final Timer horloge = new Timer(PERIODE_MS, e -> rafraichir());
     private Etat etat;
-    /** Le dossier que propose le prochain dialogue d'une image. */
-    private File dossier = new File("").getAbsoluteFile();
 
     public Cadre(String nom, Etat premier, Consumer<Suite.Evenement> recevoir) {
         this.nom = nom;
@@ -61,18 +53,16 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
                 JComponent celui = (JComponent) e.getNewValue();
                 celui.scrollRectToVisible(new Rectangle(celui.getSize()));
             }
+            if (e.getOldValue() == image) {
+                recevoir.accept(suite -> suite.tenir(false));
+            }
         });
         onglets = new Onglets(this, bord, this::faireLesOnglets, recevoir);
-        commandes = new Commandes(this, image, this::choisirScene, onglets::donnerLeClavier, recevoir);
+        dialogues = new Dialogues(image, recevoir);
+        commandes = new Commandes(getRootPane(), image, onglets::donnerLeClavier, dialogues::direTouches, recevoir);
         add(onglets, BorderLayout.CENTER);
         add(barre, BorderLayout.PAGE_END);
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent e) {
-                recevoir.accept(Suite::quitter);
-            }
-        });
     }
 
     private void faireLesOnglets() {
@@ -80,6 +70,18 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
         onglets.ajouter("Réglages", 300,
                 new PanneauReglages(etat.demande.reglages, recevoir, image::requestFocusInWindow));
         onglets.ajouter("Vitesse", 480, new PanneauVitesse(recevoir));
+    }
+
+    public Dialogue getDialogues() {
+        return dialogues;
+    }
+
+    @Override
+    protected void processWindowEvent(WindowEvent e) {
+        super.processWindowEvent(e);
+        if (e.getID() == WindowEvent.WINDOW_CLOSING) {
+            recevoir.accept(Suite::quitter);
+        }
     }
 
     /** Se montre à l'écran ; sans scène, en demande une. */
@@ -94,16 +96,16 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
                 ecran.y + Math.max(0, (ecran.height - getHeight()) / 2));
         if (!etat.aUneScene()) {
             recevoir.accept(suite -> suite.annoncer(Etat.ctrl("O") + " pour ouvrir une scène", false));
-            EventQueue.invokeLater(this::choisirScene);
+            EventQueue.invokeLater(() -> recevoir.accept(Suite::choisirUneScene));
         }
         setVisible(true);
     }
 
     @Override
     public void montrer(Etat nouveau) {
-        Etat avant = etat;
+        boolean autrePolice = nouveau.ecran.police != etat.ecran.police;
         etat = nouveau;
-        if (nouveau.ecran.police != avant.ecran.police) {
+        if (autrePolice) {
             Apparence.donnerAuxTextes(nouveau.ecran.police);
             SwingUtilities.updateComponentTreeUI(this);
         }
@@ -125,10 +127,9 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
         image.montrer(nouveau);
         onglets.montrer(nouveau);
         commandes.montrer(nouveau);
-        rafraichir();
+        montrerLaBarre();
     }
 
-    /** Montre l'image, et où en est le dessin. */
     private void rafraichir() {
         image.repaint();
         montrerLaBarre();
@@ -136,68 +137,5 @@ public final class Cadre extends JFrame implements Vue, Dialogue {
 
     private void montrerLaBarre() {
         barre.montrer(etat);
-    }
-
-    private void choisirScene() {
-        File choisi = Dialogues.choisirScene(image, etat.getFichier());
-        if (choisi != null) {
-            recevoir.accept(suite -> suite.ouvrir(choisi.getPath()));
-        }
-    }
-
-    @Override
-    public void demanderDEcrire(String scene) {
-        recevoir.accept(Dialogues.demanderDEcrire(image, scene));
-    }
-
-    @Override
-    public void proposerEcrireSous(String pourquoi, String fichier) {
-        File cible = pourquoi == null || Dialogues.proposer(image, pourquoi)
-                ? Dialogues.choisirOuEcrire(image, new File(fichier).getAbsoluteFile(), "Écrire la scène sous…", "ini")
-                : null;
-        recevoir.accept(cible == null ? Suite::rester : suite -> suite.ecrireSous(cible.getPath()));
-    }
-
-    @Override
-    public void demanderOuEnregistrer(ImageMemoire celle, String scene) {
-        String png = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirOuEcrire(image, new File(dossier, png), "Enregistrer l'image", "png");
-        if (cible != null) {
-            dossier = cible.getParentFile();
-            recevoir.accept(suite -> suite.enregistrerSous(celle, cible, scene));
-        }
-    }
-
-    @Override
-    public void copier(String texte) {
-        getToolkit().getSystemClipboard().setContents(new StringSelection(texte), null);
-    }
-
-    @Override
-    public void copier(ImageMemoire celle) {
-        // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-        BufferedImage copie = PanneauImage.deJava(celle, celle.codes, false);
-        getToolkit().getSystemClipboard().setContents(new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.imageFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor sorte) {
-                return sorte.equals(DataFlavor.imageFlavor);
-            }
-
-            @Override
-            public Object getTransferData(DataFlavor sorte) {
-                return copie;
-            }
-        }, null);
-    }
-
-    @Override
-    public void fermer() {
-        horloge.stop();
-        dispose();
     }
 }

@@ -13,9 +13,9 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
-import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.JRootPane;
 import lancer.commande.Etape;
 import lancer.commande.Option;
 import lancer.fenetre.etat.Etat;
@@ -28,10 +28,10 @@ final class Commandes implements Vue {
 
     private static final int SCENES_MAX = 40;
 
-    private final JFrame cadre;
-    private final Runnable choisirScene;
-    private final Runnable donnerLeClavier;
+    private final JRootPane racine;
     private final PanneauImage image;
+    private final Runnable donnerLeClavier;
+    private final Consumer<String> direTouches;
     private final Consumer<Suite.Evenement> recevoir;
     private final List<Commande> toutes = new ArrayList<>();
     private final Predicate<Etat> toujours = etat -> true;
@@ -40,17 +40,17 @@ final class Commandes implements Vue {
     private Etat etat;
 
     /**
-     * Donne à ce cadre ses menus et ses touches.
+     * Donne à un cadre ses menus et ses touches.
      *
-     * @param choisirScene demande quelle scène ouvrir
      * @param donnerLeClavier donne le clavier à l'onglet qui se voit
+     * @param direTouches montre ces lignes d'un tableau
      */
-    Commandes(JFrame cadre, PanneauImage image, Runnable choisirScene, Runnable donnerLeClavier,
+    Commandes(JRootPane racine, PanneauImage image, Runnable donnerLeClavier, Consumer<String> direTouches,
             Consumer<Suite.Evenement> recevoir) {
-        this.cadre = cadre;
-        this.choisirScene = choisirScene;
-        this.donnerLeClavier = donnerLeClavier;
+        this.racine = racine;
         this.image = image;
+        this.donnerLeClavier = donnerLeClavier;
+        this.direTouches = direTouches;
         this.recevoir = recevoir;
         JMenuBar barre = new JMenuBar();
         barre.add(fichier());
@@ -60,7 +60,7 @@ final class Commandes implements Vue {
         JMenu aide = barre.add(menu("Aide", commande("Touches", "F1", toujours, this::direTouches)));
         // A est la lettre d'Affichage
         aide.setMnemonic(KeyEvent.VK_I);
-        cadre.setJMenuBar(barre);
+        racine.setJMenuBar(barre);
         auClavier();
     }
 
@@ -98,7 +98,7 @@ final class Commandes implements Vue {
 
     private JMenu fichier() {
         return menu("Fichier",
-                commande("Ouvrir une scène…", "ctrl O", toujours, choisirScene),
+                evenement("Ouvrir une scène…", "ctrl O", toujours, Suite::choisirUneScene),
                 evenement("Relire la scène et redessiner", "F5", e -> e.getFichier() != null, Suite::relire),
                 evenement("Écrire dans la scène", "ctrl E", Etat::estDeplace, Suite::ecrire),
                 evenement("Écrire la scène sous…", "", scene, Suite::demanderOuEcrire),
@@ -165,7 +165,7 @@ final class Commandes implements Vue {
     }
 
     private Commande partout(Commande commande) {
-        return commande.lier(cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        return commande.lier(racine, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
     private void surLImage(Commande commande) {
@@ -182,7 +182,7 @@ final class Commandes implements Vue {
         touches.put("Dans un nombre de l'onglet Pixel, un pas de plus ou de moins ; dix avec Maj", "Haut, Bas");
         touches.put("Oublie aussi ce qui a été changé sans être écrit", "F5");
         touches.put("Dans Vitesse, un réglage, puis son image", "Flèches, Entrée");
-        Dialogues.direTouches(cadre, touches.entrySet().stream()
+        direTouches.accept(touches.entrySet().stream()
                 .map(e -> "<tr><td>" + e.getValue() + "&nbsp;<td>" + e.getKey()).collect(Collectors.joining()));
     }
 

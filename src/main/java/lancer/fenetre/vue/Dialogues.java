@@ -1,10 +1,17 @@
 package lancer.fenetre.vue;
 
-import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
+import java.awt.image.BufferedImage;
 import java.io.File;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
@@ -12,30 +19,46 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import lancer.fenetre.etat.Dialogue;
 import lancer.fenetre.etat.Suite;
+import lancer.image.ImageMemoire;
 import lancer.texte.Texte;
 
-/** Les dialogues, en français quelle que soit la langue de Java. */
-final class Dialogues {
+/** Les dialogues, en français quelle que soit la langue de Java, et le presse-papiers. */
+final class Dialogues implements Dialogue {
 
     /** Ce qu'un dialogue ajoute à la table des touches : une barre, son cadre, un bouton. */
     private static final int MARGE_H = 30;
     private static final int MARGE_V = 120;
     private static final int LARGEUR = 500;
 
-    /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
-    private static boolean ouvert;
+    private final JComponent image;
+    private final Consumer<Suite.Evenement> recevoir;
+    /** Le dossier que propose le prochain dialogue d'une image. */
+    private File dossier = new File("").getAbsoluteFile();
 
-    private Dialogues() {
+    /** @param image celle à qui chaque dialogue rend le clavier */
+    Dialogues(JComponent image, Consumer<Suite.Evenement> recevoir) {
+        this.image = image;
+        this.recevoir = recevoir;
     }
 
     static Rectangle ecran() {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
 
+    /** Le dossier de cette scène ou, à défaut, celui des scènes du programme. */
+    static File dossierDesScenes(String actuelle) {
+        return actuelle != null ? new File(actuelle).getAbsoluteFile().getParentFile()
+                // depuis la racine, ou depuis le dossier d'une variante
+                : Stream.of("scenes", "../scenes").map(nom -> new File(nom).getAbsoluteFile())
+                .filter(File::isDirectory).findFirst().orElse(new File("").getAbsoluteFile());
+    }
+
     /** Le tableau des touches. @param lignes touche, puis effet, en lignes d'un tableau HTML */
-    static void direTouches(Component parent, String lignes) {
+    void direTouches(String lignes) {
         JLabel table = new JLabel("<html><table cellspacing=2 cellpadding=0 width="
                 + Math.min(LARGEUR, ecran().width - 4 * MARGE_H) + ">" + lignes);
         table.setName("table");
@@ -48,71 +71,116 @@ final class Dialogues {
         Dimension place = deroulant.getPreferredSize();
         deroulant.setPreferredSize(new Dimension(Math.min(place.width + MARGE_H, ecran().width - 2 * MARGE_H),
                 Math.min(place.height, ecran().height - MARGE_V)));
-        JOptionPane.showMessageDialog(parent, deroulant, "Touches", JOptionPane.PLAIN_MESSAGE);
+        JOptionPane.showMessageDialog(image, deroulant, "Touches", JOptionPane.PLAIN_MESSAGE);
     }
 
-    /** La scène à ouvrir, ou {@code null}. @param actuelle celle dont le dossier est proposé, ou {@code null} */
-    static File choisirScene(Component parent, String actuelle) {
-        return choisir(parent, new JFileChooser(dossierDesScenes(actuelle)), "Ouvrir une scène", "ini");
+    @Override
+    public void choisirUneScene(String actuelle) {
+        File choisie = choisir(new JFileChooser(dossierDesScenes(actuelle)), "Ouvrir une scène", "ini");
+        if (choisie != null) {
+            recevoir.accept(suite -> suite.ouvrir(choisie.getPath()));
+        }
     }
 
-    /** Le dossier de cette scène ou, à défaut, celui des scènes du programme. */
-    static File dossierDesScenes(String actuelle) {
-        return actuelle != null ? new File(actuelle).getAbsoluteFile().getParentFile()
-                // depuis la racine, ou depuis le dossier d'une variante
-                : Stream.of("scenes", "../scenes").map(nom -> new File(nom).getAbsoluteFile())
-                .filter(File::isDirectory).findFirst().orElse(new File("").getAbsoluteFile());
+    @Override
+    public void demanderDEcrire(String scene) {
+        int reponse = demander("Changement non écrit", "Ce qui est changé dans « " + scene + " » n'y est pas écrit.",
+                "Écrire", "Oublier", "Rester");
+        Suite.Evenement sansEcrire = reponse == 1 ? Suite::oublier : Suite::rester;
+        recevoir.accept(reponse == 0 ? Suite::accepterDEcrire : sansEcrire);
+    }
+
+    @Override
+    public void proposerEcrireSous(String pourquoi, String fichier) {
+        boolean voulu = pourquoi == null || demander("Scène non écrite", new Etiquette("pourquoi").dire(pourquoi),
+                "Écrire sous…", "Rester") == 0;
+        File cible = voulu ? choisirOuEcrire(new File(fichier).getAbsoluteFile(), "Écrire la scène sous…", "ini")
+                : null;
+        recevoir.accept(cible == null ? Suite::rester : suite -> suite.ecrireSous(cible.getPath()));
+    }
+
+    @Override
+    public void demanderOuEnregistrer(ImageMemoire celle, String scene) {
+        String png = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
+        File cible = choisirOuEcrire(new File(dossier, png), "Enregistrer l'image", "png");
+        if (cible != null) {
+            dossier = cible.getParentFile();
+            recevoir.accept(suite -> suite.enregistrerSous(celle, cible, scene));
+        }
     }
 
     /** Le fichier où écrire, remplacement confirmé, ou {@code null}. @param fin celle de son nom, sans point */
-    static File choisirOuEcrire(Component parent, File propose, String titre, String fin) {
+    private File choisirOuEcrire(File propose, String titre, String fin) {
         JFileChooser choix = new JFileChooser(propose.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(propose);
-        File cible = choisir(parent, choix, titre, fin);
-        boolean libre = cible == null || !cible.isFile() || demander(parent, titre, "Le fichier « "
+        File cible = choisir(choix, titre, fin);
+        boolean libre = cible == null || !cible.isFile() || demander(titre, "Le fichier « "
                 + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?", "Remplacer", "Annuler") == 0;
         return libre ? cible : null;
     }
 
-    private static File choisir(Component parent, JFileChooser choix, String titre, String fin) {
-        if (ouvert) {
+    private File choisir(JFileChooser choix, String titre, String fin) {
+        if (Stream.of(fenetre().getOwnedWindows()).anyMatch(autre -> autre instanceof Dialog && autre.isVisible())) {
+            // une touche répétée n'en ouvre pas un deuxième
             return null;
         }
-        ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(new FileNameExtensionFilter("*." + fin, fin));
-        int reponse = choix.showDialog(parent, null);
-        ouvert = false;
+        int reponse = choix.showDialog(image, null);
         // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
-        parent.requestFocus();
+        image.requestFocus();
         File choisi = reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
         boolean complet = choisi == null || Texte.minuscules(choisi.getName()).endsWith("." + fin)
                 || choix.getDialogType() == JFileChooser.OPEN_DIALOG && choisi.exists();
         return complet ? choisi : new File(choisi.getPath() + "." + fin);
     }
 
-    /** Propose d'écrire la scène ailleurs. @param pourquoi ce qui a empêché de l'écrire dans son fichier */
-    static boolean proposer(Component parent, String pourquoi) {
-        return demander(parent, "Scène non écrite", new Etiquette("pourquoi").dire(pourquoi), "Écrire sous…", "Rester")
-                == 0;
-    }
-
-    /** Demande que faire des changements de cette scène, qui ne sont pas écrits. */
-    static Suite.Evenement demanderDEcrire(Component parent, String scene) {
-        int reponse = demander(parent, "Changement non écrit",
-                "Ce qui est changé dans « " + scene + " » n'y est pas écrit.", "Écrire", "Oublier", "Rester");
-        if (reponse == 0) {
-            return Suite::accepterDEcrire;
-        }
-        return reponse == 1 ? Suite::oublier : Suite::rester;
-    }
-
     /** Le rang de la réponse choisie, la dernière étant proposée ; négatif si le dialogue est fermé. */
-    private static int demander(Component parent, String titre, Object question, String... reponses) {
-        int reponse = JOptionPane.showOptionDialog(parent, question, titre, JOptionPane.DEFAULT_OPTION,
+    private int demander(String titre, Object question, String... reponses) {
+        int reponse = JOptionPane.showOptionDialog(image, question, titre, JOptionPane.DEFAULT_OPTION,
                 JOptionPane.WARNING_MESSAGE, null, reponses, reponses[reponses.length - 1]);
-        parent.requestFocus();
+        image.requestFocus();
         return reponse;
+    }
+
+    private Window fenetre() {
+        return SwingUtilities.getWindowAncestor(image);
+    }
+
+    private Clipboard pressePapiers() {
+        return image.getToolkit().getSystemClipboard();
+    }
+
+    @Override
+    public void copier(String texte) {
+        pressePapiers().setContents(new StringSelection(texte), null);
+    }
+
+    @Override
+    public void copier(ImageMemoire celle) {
+        // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
+        BufferedImage copie = PanneauImage.deJava(celle, celle.codes, false);
+        pressePapiers().setContents(new Transferable() {
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.imageFlavor};
+            }
+
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor sorte) {
+                return sorte.equals(DataFlavor.imageFlavor);
+            }
+
+            @Override
+            public Object getTransferData(DataFlavor sorte) {
+                return copie;
+            }
+        }, null);
+    }
+
+    @Override
+    public void fermer() {
+        fenetre().dispose();
     }
 }

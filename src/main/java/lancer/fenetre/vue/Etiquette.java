@@ -2,6 +2,7 @@ package lancer.fenetre.vue;
 
 import java.awt.Color;
 import java.awt.Cursor;
+import java.awt.Insets;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -20,16 +21,11 @@ class Etiquette extends JTextArea {
         setEditable(false);
         setFocusable(false);
         setOpaque(false);
+        // aligné sur les autres textes
+        setMargin(new Insets(0, 0, 0, 0));
         setLineWrap(true);
         setWrapStyleWord(true);
         setCursor(Cursor.getDefaultCursor());
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        // aligné sur les autres textes
-        setBorder(BorderFactory.createEmptyBorder());
     }
 
     /** Celle-ci, de ce texte, pour un dialogue. */

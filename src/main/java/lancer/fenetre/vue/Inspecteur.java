@@ -3,8 +3,6 @@ package lancer.fenetre.vue;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -47,16 +45,8 @@ final class Inspecteur extends JPanel implements Vue {
         // un clic laisse le clavier à l'image : les flèches y déplacent le pixel
         arbre.setRequestFocusEnabled(false);
         arbre.setRowHeight(0);
-        arbre.setCellRenderer(new Ligne());
-        JScrollPane deroulant = new JScrollPane(arbre, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
+        JScrollPane deroulant = new JScrollPane(arbre, JScrollPane.VERTICAL_SCROLLBAR_ALWAYS,
                 JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        deroulant.getViewport().addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent e) {
-                // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
-                arbre.setCellRenderer(new Ligne());
-            }
-        });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, deroulant, vue);
         // un écran dense n'a parfois que quatre cents points de haut
@@ -90,11 +80,10 @@ final class Inspecteur extends JPanel implements Vue {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (arbre != null) {
-            arbre.setCellRenderer(new Ligne());
-        }
+    public void doLayout() {
+        super.doLayout();
+        // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
+        arbre.setCellRenderer(new Ligne());
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {

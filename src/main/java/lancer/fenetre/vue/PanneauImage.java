@@ -2,18 +2,13 @@ package lancer.fenetre.vue;
 
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.GraphicsConfiguration;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -70,25 +65,10 @@ final class PanneauImage extends JPanel implements Vue {
         setFocusable(true);
         getAccessibleContext().setAccessibleName("image");
         add(bandeau);
-        setPreferredSize(new Dimension((int) Math.ceil(etat.ecran.loupe.largeur * getPixel()),
-                (int) Math.ceil(etat.ecran.loupe.hauteur * getPixel())));
         Suiveur suiveur = new Suiveur();
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
-        addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusLost(FocusEvent e) {
-                recevoir.accept(suite -> suite.tenir(false));
-            }
-        });
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent e) {
-                Loupe placee = getLoupe();
-                recevoir.accept(suite -> suite.placer(placee.largeur, placee.hauteur));
-            }
-        });
     }
 
     /** Dit ce que fait la souris. La molette règle la loupe ; un bouton tenu tire l'image ou, avec Maj, une boule. */
@@ -174,9 +154,7 @@ final class PanneauImage extends JPanel implements Vue {
 
     /** Le côté d'un pixel de l'écran, en points. */
     private double getPixel() {
-        GraphicsConfiguration ecran = getGraphicsConfiguration();
-        return 1 / (ecran != null ? ecran : GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice()
-                .getDefaultConfiguration()).getDefaultTransform().getScaleX();
+        return 1 / getGraphicsConfiguration().getDefaultTransform().getScaleX();
     }
 
     /** Le milieu du pixel de l'écran qui est à cette abscisse, ou à cette ordonnée. */
@@ -284,9 +262,17 @@ final class PanneauImage extends JPanel implements Vue {
         }
     }
 
-    /** Le bandeau couvre le bas de l'image sans la déplacer ; s'il est trop haut, sa fin est coupée. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension((int) Math.ceil(etat.ecran.loupe.largeur * getPixel()),
+                (int) Math.ceil(etat.ecran.loupe.hauteur * getPixel()));
+    }
+
+    /** L'image a une place. Le bandeau en couvre le bas sans la déplacer ; s'il est trop haut, sa fin est coupée. */
     @Override
     public void doLayout() {
+        Loupe placee = getLoupe();
+        EventQueue.invokeLater(() -> recevoir.accept(suite -> suite.placer(placee.largeur, placee.hauteur)));
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
         int hauteur = bandeau.getPreferredSize().height;
         bandeau.setBounds(0, Math.max(0, getHeight() - hauteur), getWidth(), hauteur);

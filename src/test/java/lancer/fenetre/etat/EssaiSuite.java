@@ -212,6 +212,11 @@ public abstract class EssaiSuite {
     private final Dialogue vue = new Dialogue() {
 
         @Override
+        public void choisirUneScene(String presente) {
+            journal.add("choisir");
+        }
+
+        @Override
         public void demanderDEcrire(String nom) {
             journal.add("demander " + nom);
         }

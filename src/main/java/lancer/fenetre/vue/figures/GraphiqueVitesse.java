@@ -210,6 +210,8 @@ public final class GraphiqueVitesse extends JPanel {
             if (cadre.contains(place) && pris.stream().noneMatch(place::intersects) && trace.essais.stream()
                     .noneMatch(autre -> ecart(place, autre) < ecart(place, p))) {
                 pris.add(place);
+                g.setColor(UIManager.getColor("Tree.background"));
+                g.fill(place);
                 ecrire(g, nom, place.getX(), place.getMaxY() - g.getFontMetrics().getDescent(), 0);
                 return;
             }
