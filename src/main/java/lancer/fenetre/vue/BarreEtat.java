@@ -22,13 +22,12 @@ final class BarreEtat extends JPanel implements Vue {
 
     private static final int MARGE = 6;
     private static final int FILET = 3;
-    private static final int PASTILLE = 16;
     private static final int POUR_MILLE = 1000;
     private static final int LIGNES_MAX = 3;
     /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
     private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
     /** Un long résumé, à ses réglages près. */
-    private static final String RESUME = "9999 × 9999 pixels, 99 999 999 rayons en 99,99 s, ";
+    private static final String RESUME = "9999 × 9999 pixels montrés à 99 %, 99 999 999 rayons en 99,99 s, ";
 
     private final Etat premier;
     private final Supplier<Pixel> souris;
@@ -36,7 +35,7 @@ final class BarreEtat extends JPanel implements Vue {
     private final Etiquette resume = new Etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JLabel pastille = new JLabel("    ");
-    private final JPanel legende = new JPanel(new FlowLayout(FlowLayout.TRAILING, MARGE, 0));
+    private final JPanel legende = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
     private List<Teinte> teintes = Collections.emptyList();
 
     /**
@@ -72,8 +71,8 @@ final class BarreEtat extends JPanel implements Vue {
     @Override
     public Dimension getPreferredSize() {
         int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
-        int place = Math.max(largeur(PIXEL), premier.ecran.loupe.largeur - 2 * MARGE);
-        resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / place));
+        int large = Math.min(Math.max(largeur(PIXEL), premier.ecran.loupe.largeur), Dialogues.ecran().width);
+        resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / (large - 2 * MARGE)));
         return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
                 super.getPreferredSize().height);
     }
@@ -109,9 +108,11 @@ final class BarreEtat extends JPanel implements Vue {
         teintes = image.teintes;
         legende.removeAll();
         teintes.forEach(teinte -> {
-            JLabel mot = new JLabel(teinte.mot + " ");
-            mot.setBorder(BorderFactory.createCompoundBorder(BorderFactory.createLineBorder(getForeground()),
-                    Etiquette.pastille(teinte.couleur, PASTILLE)));
+            JLabel mot = new JLabel(" " + teinte.mot + " ");
+            mot.setOpaque(true);
+            mot.setBackground(new Color(teinte.couleur.getCode()));
+            boolean claire = 0.3 * teinte.couleur.r + 0.6 * teinte.couleur.v + 0.1 * teinte.couleur.b > 0.5;
+            mot.setForeground(claire ? Color.BLACK : Color.WHITE);
             legende.add(mot);
         });
         legende.setToolTipText(image.echelle);

@@ -1,13 +1,10 @@
 package lancer.fenetre.vue;
 
-import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Insets;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
-import javax.swing.border.Border;
-import lancer.Couleur;
 
 /** Un texte de plusieurs lignes, qui se lit sans se changer. Aucune ne commence par un signe de ponctuation. */
 @SuppressWarnings("serial")
@@ -50,14 +47,9 @@ class Etiquette extends JTextArea {
         String lie = lier(texte);
         if (!lie.equals(getText())) {
             super.setText(lie);
+            // ce qui défile montre son début
+            setCaretPosition(0);
         }
-    }
-
-    /** Cette teinte, à gauche d'un texte. @param largeur la sienne */
-    static Border pastille(Couleur teinte, int largeur) {
-        return BorderFactory.createCompoundBorder(
-                BorderFactory.createMatteBorder(0, largeur, 0, 0, new Color(teinte.getCode())),
-                BorderFactory.createEmptyBorder(0, largeur / 2, 0, 0));
     }
 
     /** Le même texte, où une espace qui précède un signe, ou un guillemet, est insécable. */

@@ -1,8 +1,11 @@
 package lancer.fenetre.vue;
 
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -45,8 +48,16 @@ final class Inspecteur extends JPanel implements Vue {
         // un clic laisse le clavier à l'image : les flèches y déplacent le pixel
         arbre.setRequestFocusEnabled(false);
         arbre.setRowHeight(0);
-        JScrollPane deroulant = new JScrollPane(arbre, JScrollPane.VERTICAL_SCROLLBAR_ALWAYS,
+        arbre.setCellRenderer(new Ligne());
+        JScrollPane deroulant = new JScrollPane(arbre, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
                 JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        deroulant.getViewport().addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
+                arbre.setCellRenderer(new Ligne());
+            }
+        });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, deroulant, vue);
         // un écran dense n'a parfois que quatre cents points de haut
@@ -77,13 +88,6 @@ final class Inspecteur extends JPanel implements Vue {
             ouvrir(nouveau.ecran.tout);
         }
         etat = nouveau;
-    }
-
-    @Override
-    public void doLayout() {
-        super.doLayout();
-        // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
-        arbre.setCellRenderer(new Ligne());
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {
@@ -129,7 +133,9 @@ final class Inspecteur extends JPanel implements Vue {
             setEnabled(tree.isEnabled());
             setBackground(UIManager.getColor(clavier ? "Tree.selectionInactiveBackground" : "Tree.background"));
             setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(2, 0, 1, 0, getBackground()),
-                    noeud.couleur == null ? null : Etiquette.pastille(noeud.couleur, PASTILLE)));
+                    noeud.couleur == null ? null : BorderFactory.createCompoundBorder(
+                            BorderFactory.createMatteBorder(0, PASTILLE, 0, 0, new Color(noeud.couleur.getCode())),
+                            BorderFactory.createEmptyBorder(0, MARGE, 0, 0))));
             int niveau = ((DefaultMutableTreeNode) branche).getLevel() + 1;
             // à cette largeur, la hauteur est celle de toutes les lignes de l'écran qu'il faut
             setSize(Math.max(20 * PASTILLE, arbre.getParent().getWidth() - niveau * retrait), Short.MAX_VALUE);

@@ -33,7 +33,7 @@ final class PanneauReglages extends JPanel implements Vue {
     /** Largeur d'une glissière là où la place manque. */
     private static final int LARGEUR = 60;
     private static final int COLONNES = 6;
-    private static final int LIGNES = 4;
+    private static final int LIGNES = 3;
 
     private final Consumer<Suite.Evenement> recevoir;
     private final Runnable rendreLeClavier;
@@ -51,7 +51,13 @@ final class PanneauReglages extends JPanel implements Vue {
         Option.enFenetre().forEach(this::ajouter);
         premiers.getVariantes().forEach(this::ajouter);
         setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JPanel haut = new JPanel(new BorderLayout());
+        JPanel haut = new JPanel(new BorderLayout()) {
+            @Override
+            public Dimension getPreferredSize() {
+                // jamais plus large que sa place : un écran est parfois étroit
+                return new Dimension(0, super.getPreferredSize().height);
+            }
+        };
         haut.add(grille, BorderLayout.PAGE_START);
         JScrollPane deroulant = new JScrollPane(haut);
         deroulant.setBorder(BorderFactory.createEmptyBorder());
@@ -137,7 +143,6 @@ final class PanneauReglages extends JPanel implements Vue {
         composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
         ajustements.add(presents -> composant.setEnabled(possible.test(presents)));
-        // à côté de ce qui se lit en toutes lettres, pas de place perdue : un écran est parfois étroit
         String nom = reglage.getTitre().replace("methode", "méthode").replace("debut", "début")
                 .replace("densite", "densité");
         grille.nommer(nom, composant, !reglage.estUnNombre());
