@@ -53,12 +53,9 @@ final class ChampsDeSection extends JPanel implements Vue {
         boolean court = cle.equals("rayon") || cle.equals("ns");
         Champ champ = new Champ(court ? 4 : 9, recevoir, voulue -> suite -> suite.changer(celle, cle, voulue, false));
         champ.setName(cle);
-        for (int pas : new int[] {1, PAS_DE_MAJ}) {
-            String avec = pas == 1 ? "" : "shift ";
-            champ.registerKeyboardAction(e -> avancer(celle, cle, pas), KeyStroke.getKeyStroke(avec + "UP"),
-                    WHEN_FOCUSED);
-            champ.registerKeyboardAction(e -> avancer(celle, cle, -pas), KeyStroke.getKeyStroke(avec + "DOWN"),
-                    WHEN_FOCUSED);
+        for (int pas : new int[] {1, -1, PAS_DE_MAJ, -PAS_DE_MAJ}) {
+            String touche = (Math.abs(pas) == 1 ? "" : "shift ") + (pas > 0 ? "UP" : "DOWN");
+            champ.registerKeyboardAction(e -> avancer(celle, cle, pas), KeyStroke.getKeyStroke(touche), WHEN_FOCUSED);
         }
         grille.nommer(cle, champ, champs.size() % 2 == 1);
         champs.put(cle, champ);

@@ -229,7 +229,7 @@ final class PanneauImage extends JPanel implements Vue {
             peindre(g2);
             if (etat.ecran.onglet == Onglet.PIXEL && !etat.montre.tenue && etat.explication.faite != null
                     && etat.explication.faite.inspection != null) {
-                new Figure(etat.explication.faite.inspection).peindre(g2, getVue());
+                Figure.peindre(g2, etat.explication.faite.inspection, getVue());
             }
             if (montreLesEtoiles() && etat.montre.dessin != null) {
                 etat.demande.lue.lampes.forEach(lampe -> peindreLEtoile(g2, lampe));

@@ -133,11 +133,8 @@ final class PanneauReglages extends JPanel implements Vue {
         } else {
             JComboBox<String> mots = new JComboBox<>(reglage.valeurs.toArray(new String[0]));
             mots.addActionListener(e -> changer(changement.apply(mots.getItemAt(mots.getSelectedIndex()))));
-            ajustements.add(presents -> {
-                if (!presente.apply(presents).equals(mots.getSelectedItem())) {
-                    mots.setSelectedItem(presente.apply(presents));
-                }
-            });
+            // le modèle, lui, ne dit rien quand rien ne change
+            ajustements.add(presents -> mots.getModel().setSelectedItem(presente.apply(presents)));
             composant = mots;
         }
         composant.setToolTipText(reglage.attendu);
@@ -145,7 +142,8 @@ final class PanneauReglages extends JPanel implements Vue {
         ajustements.add(presents -> composant.setEnabled(possible.test(presents)));
         String nom = reglage.getTitre().replace("methode", "méthode").replace("debut", "début")
                 .replace("densite", "densité");
-        grille.nommer(nom, composant, !reglage.estUnNombre());
+        // ceux d'une variante sont en retrait
+        grille.nommer(prefixe.isEmpty() ? nom : "     " + nom, composant, !reglage.estUnNombre());
         if (reglage.estUnNombre()) {
             grille.poser(valeur, 0, true);
         }

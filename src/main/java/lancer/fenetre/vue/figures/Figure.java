@@ -39,18 +39,14 @@ public final class Figure {
     /** Rayon d'un anneau, en hauteurs de caractère. */
     private static final double TAILLE = 0.75;
 
-    private final Inspection pixel;
-
-    /** @param pixel expliqué */
-    public Figure(Inspection pixel) {
-        this.pixel = pixel;
+    private Figure() {
     }
 
-    /** Peint la chaîne sur l'image. @param vue la place des points de l'image */
-    public void peindre(Graphics2D g, AffineTransform vue) {
+    /** Peint la chaîne de ce pixel sur l'image. @param vue la place des points de l'image */
+    public static void peindre(Graphics2D g, Inspection pixel, AffineTransform vue) {
         Camera camera = pixel.camera;
         Rectangle image = new Rectangle(camera.getLargeur(), camera.getHauteur());
-        peindre(g, vue.createTransformedShape(image), Color.WHITE, (a, b) -> {
+        peindre(g, pixel, vue.createTransformedShape(image), Color.WHITE, (a, b) -> {
             double deA = camera.depuisLOeil(a).z;
             double deB = camera.depuisLOeil(b).z;
             if (deA < PRES) {
@@ -71,7 +67,8 @@ public final class Figure {
      * @param encre couleur des numéros
      * @param projection donne un segment, ou {@code null} s'il ne se voit pas
      */
-    void peindre(Graphics2D g, Shape cadre, Color encre, BiFunction<Point, Point, Line2D> projection) {
+    static void peindre(Graphics2D g, Inspection pixel, Shape cadre, Color encre,
+            BiFunction<Point, Point, Line2D> projection) {
         Shape avant = g.getClip();
         g.clip(cadre);
         Point depart = pixel.camera.getOeil();

@@ -10,14 +10,15 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
-import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
+import lancer.Camera;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
@@ -57,17 +58,16 @@ public final class VueDeCote extends JPanel {
 
     /** Ce qui place un point, vu de l'œil, d'abscisse z et d'ordonnée y, et montre l'œil, l'écran et les contacts. */
     AffineTransform cadrer() {
-        List<Point> points = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
-                .collect(Collectors.toCollection(ArrayList::new));
-        points.add(pixel.camera.getEcran(0, 0));
-        points.add(pixel.camera.getEcran(0, pixel.camera.getHauteur()));
-        points.add(pixel.camera.getOeil());
-        List<Vecteur> vus = points.stream().map(pixel.camera::depuisLOeil).collect(Collectors.toList());
+        Camera camera = pixel.camera;
+        Point haut = camera.getEcran(0, 0);
+        Stream<Point> contacts = pixel.getSegments().stream().map(segment -> segment.contact);
+        List<Vecteur> vus = Stream.concat(contacts.filter(Objects::nonNull),
+                Stream.of(haut, camera.getEcran(0, camera.getHauteur()), camera.getOeil()))
+                .map(camera::depuisLOeil).collect(Collectors.toList());
         DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
         DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
         // la marge laisse voir le bord des objets touchés
-        double ecran = pixel.camera.depuisLOeil(pixel.camera.getEcran(0, 0)).z;
-        double marge = 1 + (z.getMax() - ecran) / 10;
+        double marge = 1 + (z.getMax() - camera.depuisLOeil(haut).z) / 10;
         double echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z.getMin()),
                 (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
         AffineTransform vue = AffineTransform.getTranslateInstance(MARGE, getHeight() / 2.0);
@@ -90,7 +90,7 @@ public final class VueDeCote extends JPanel {
         Color encre = UIManager.getColor("Tree.textForeground");
         g.setColor(encre);
         g.draw(ligne.apply(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
-        new Figure(pixel).peindre(g, new Rectangle(getSize()), encre, ligne);
+        Figure.peindre(g, pixel, new Rectangle(getSize()), encre, ligne);
         Point2D oeil = place(vue, pixel.camera.getOeil());
         g.setColor(encre);
         g.fill(new Ellipse2D.Double(oeil.getX() - 3, oeil.getY() - 3, 6, 6));

@@ -58,7 +58,7 @@ class FiguresTest {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
-        new Figure(pixel(camera, i, j)).peindre(g, new AffineTransform());
+        Figure.peindre(g, pixel(camera, i, j), new AffineTransform());
         int blancs = 0;
         for (int k = 0; k < 16; k++) {
             int plusClair = 0;
