@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -51,8 +50,8 @@ class AutoTest {
     private static final int HAUTEUR = 30;
     private static final int LARGEUR = 40;
 
-    private static final Scene CIEL = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
-    private static final Map<Variante, Section> SANS = Collections.emptyMap();
+    private static final Scene CIEL = new Scene(List.of(), List.of());
+    private static final Map<Variante, Section> SANS = Map.of();
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Reglages reglages(Map<Variante, Section> variantes) {
@@ -83,7 +82,7 @@ class AutoTest {
     }
 
     private static Scene scene(Objet3D... objets) {
-        return new Scene(Arrays.asList(objets), Arrays.asList(new Lampe(new Point(-3, 5, -5), new Couleur(0.8))));
+        return new Scene(List.of(objets), List.of(new Lampe(new Point(-3, 5, -5), new Couleur(0.8))));
     }
 
     private static Sphere boule(double x, double y, double z, double rayon, double ks) {
@@ -114,7 +113,7 @@ class AutoTest {
     /** Entre deux murs, la couleur vue est la somme d'une série géométrique, de limite 0,9. */
     private static Scene entreDeuxMurs(double ks) {
         double lueur = 0.9 * (1 - ks);
-        return new Scene(Arrays.asList(new Mur(10, ks, lueur), new Mur(-10, ks, lueur)), Collections.<Lampe>emptyList());
+        return new Scene(List.of(new Mur(10, ks, lueur), new Mur(-10, ks, lueur)), List.of());
     }
 
     /** Il manque à la série, après r reflets, 255 × 0,9 × ks^(r + 1) niveaux : le premier échelon qui convient est connu. */
@@ -133,14 +132,14 @@ class AutoTest {
 
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
-        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 7 --seuil 0.0009765625"),
+        assertEquals(List.of("un rayon par pixel, --reflets 7 --seuil 0.0009765625"),
                 dites(Echelle.de(reglages(SANS).avec(Option.REFLETS, 7).avec(Option.SEUIL, 0.5), true, false)));
         List<Reglages> echelle = Echelle.de(reglages(SANS).avec(Option.SEUIL, 0.25), false, true);
         assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(e -> e.get(Option.REFLETS)).collect(Collectors.toList()).toString());
         assertTrue(echelle.stream().allMatch(e -> e.get(Option.SEUIL) == 0.25));
-        assertEquals(Collections.singletonList("[Grille] n=2, --reflets 3 --seuil 0.125"),
+        assertEquals(List.of("[Grille] n=2, --reflets 3 --seuil 0.125"),
                 dites(Echelle.de(reglages(GrilleDEssai.seule("2")).avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.125), true, true)));
-        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 0 --seuil 0.0009765625"),
+        assertEquals(List.of("un rayon par pixel, --reflets 0 --seuil 0.0009765625"),
                 dites(Echelle.de(reglages(SANS).avec(Option.ETAPE, Etape.OMBRES), false, false)), "une étape sans reflets n'en essaie pas");
     }
 
@@ -187,15 +186,15 @@ class AutoTest {
                 });
             }
         };
-        Reglages faux = reglages(Collections.singletonMap(trompeuse, new SectionLue("Grille")));
+        Reglages faux = reglages(Map.of(trompeuse, new SectionLue("Grille")));
         Reglages juste = faux.avecVariante(trompeuse, false);
-        Auto repris = new Auto(prepare, Arrays.asList(faux, juste, juste), 1, 2);
+        Auto repris = new Auto(prepare, List.of(faux, juste, juste), 1, 2);
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
         assertTrue(!repris.getMesure().aUnIntervalle, "le réglage juste l'est partout");
         // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et les pavés de l'essai
         assertEquals(2 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
-        Auto depasse = new Auto(prepare, Arrays.asList(faux, faux), 1, 2);
+        Auto depasse = new Auto(prepare, List.of(faux, faux), 1, 2);
         dessiner(depasse);
         assertEquals(faux, depasse.getChoisi());
         assertEquals("erreur voulue dépassée", depasse.getVerdict());
@@ -345,7 +344,7 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Map<Variante, Section> fautive = GrilleDEssai.avec(Collections.singletonMap(new SectionLue("Grille", "m", "3"), 0.0));
+        Map<Variante, Section> fautive = GrilleDEssai.avec(Map.of(new SectionLue("Grille", "m", "3"), 0.0));
         SceneFautive e = assertThrows(SceneFautive.class, () -> auto(CIEL, 4, 3, fautive, 1));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }

@@ -1,7 +1,6 @@
 package lancer.auto;
 
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import lancer.Couleur;
@@ -31,7 +30,7 @@ class GrilleDEssai implements Variante {
 
     /** Elle seule, à essayer avec ces sections. */
     static Map<Variante, Section> avec(Map<Section, Double> proposees) {
-        return Collections.singletonMap(new GrilleDEssai(proposees), new SectionLue("Grille"));
+        return Map.of(new GrilleDEssai(proposees), new SectionLue("Grille"));
     }
 
     @Override

@@ -145,11 +145,8 @@ class CommandeTest extends EssaiCommande {
     }
 
     private Map<String, String> statistiques(String... options) {
-        String[] arguments = Arrays.copyOf(options, options.length + 2);
-        arguments[options.length] = "--statistiques";
-        arguments[options.length + 1] = "--image=" + png;
         Map<String, String> valeurs = new LinkedHashMap<>();
-        for (String ligne : dessiner(arguments).split("\r?\n")) {
+        for (String ligne : dessiner(Essai.suite(options, "--statistiques", "--image=" + png)).split("\r?\n")) {
             assertTrue(ligne.matches("[a-z]+(\\.[a-z]+)+: [0-9]+(\\.[0-9]+)?"), ligne);
             String[] moities = ligne.split(": ");
             assertEquals(null, valeurs.put(moities[0], moities[1]), ligne);

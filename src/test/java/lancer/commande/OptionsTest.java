@@ -30,9 +30,6 @@ class OptionsTest {
             "| --auto ne sert pas seule ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm";
     private static final String SANS_SCENE = "| aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini";
 
-    private static final String PNG = " | un fichier dont le nom finit par .png";
-    private static final String TAILLE = " | LARGEURxHAUTEUR, par exemple 800x600, de 1 à 16384 chacune, et au plus 100000000 pixels";
-
     /** Les arguments, séparés par un blanc ; {@code ''} en est un, vide. */
     private static String[] arguments(String ligne) {
         String[] mots = ligne.split(" ");
@@ -117,37 +114,14 @@ class OptionsTest {
         verifierRefus("s.ini " + option, "option inconnue : « " + nom + " » ; attendu : une de celles que montre --aide");
     }
 
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "--image" + PNG, "--image=" + PNG, "--image ''" + PNG, "--image --fils 2" + PNG, "--taille" + TAILLE, "--taille=" + TAILLE,
-        "--lineaire | un fichier dont le nom finit par .pfm",
-        "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul, par exemple 0.001", "--fils | un entier de 1 à 1024",
-        "--etape | une étape du cours : lambert, phong, ombres ou reflets",
-        "--pixel | X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
-        "--repeter --statistiques | un entier de 1 à 100000",
-        "--auto | erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1"})
-    void uneOptionSansSaValeurEstRefusee(String ligne, String attendu) {
-        String nom = ligne.replaceAll("[= ].*", "");
-        verifierRefus("s.ini " + ligne, "option sans sa valeur : " + nom + " ; attendu : " + attendu);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"--image a.png --image b.png", "--image=a.png --image a.png", "--lineaire a.pfm --lineaire a.pfm",
-        "--taille 1x1 --taille=1x1",
-        "--reflets 1 --reflets 1", "--seuil 0 --seuil 0", "--fils 1 --fils 2", "--repeter 1 --repeter 1",
-        "--statistiques --statistiques", "--simple --simple", "--pixel 1,1 --pixel=1,1", "--auto erreur=1 --auto erreur=2"})
-    void uneOptionDonneeDeuxFoisEstRefusee(String ligne) {
-        String nom = ligne.replaceAll("[= ].*", "");
-        verifierRefus("s.ini " + ligne, "option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option");
-    }
-
-    /** Une option, des valeurs impossibles, et ce qui est attendu. */
+    /** Une option, des valeurs impossibles, et ce qui est attendu d'elles et de l'option sans sa valeur. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
-        "--image | a a.jpg a.pfm a.png/ png /dev/stdout /dev/fd/1" + PNG,
+        "--image | a a.jpg a.pfm a.png/ png /dev/stdout /dev/fd/1 | un fichier dont le nom finit par .png",
         "--lineaire | a.png /dev/stdout a.pfm.gz | un fichier dont le nom finit par .pfm",
         "--taille | 0x1 1x0 16385x1 1x16385 10001x10000 16384x16384 800 800x x600 800X600 800*600 800x600x1 -1x5 +1x5 1.5x2 1e2x3 800,600 "
-                + "99999999999999999999x1 axb 800×600 0x10x0" + TAILLE,
+                + "99999999999999999999x1 axb 800×600 0x10x0 "
+                + "| LARGEURxHAUTEUR, par exemple 800x600, de 1 à 16384 chacune, et au plus 100000000 pixels",
         "--reflets | -1 1001 5.0 cinq 4294967296 18446744073709551616 +5 | un entier de 0 à 1000",
         "--fils | 0 1025 -2 ٣ | un entier de 1 à 1024",
         "--repeter | 0 100001 1e3 | un entier de 1 à 100000",
@@ -157,11 +131,13 @@ class OptionsTest {
         "--pixel | 1 1, ,1 , 1,2,3 -1,5 5,-1 +1,5 1.0,2 1;2 1x2 a,b 0x1,2 ٣,1 1e2,3 "
                 + "99999999999999999999,1 4294967296,0 0,18446744073709551616 "
                 + "| X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
-        "--pixel | 800,0 0,600 800,600 16384,0 | un pixel de l'image, de 0,0 à 799,599",
         "--sans | , Brume, ,Brume Brume,,Blinn | des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
         "--etape | P | une étape du cours : lambert, phong, ombres ou reflets",
         "--vue | x | une vue : normales, distance, lampes, rayons ou marge"})
-    void uneValeurImpossibleEstRefusee(String nom, String valeurs, String attendu) {
+    void uneValeurImpossibleOuAbsenteEstRefusee(String nom, String valeurs, String attendu) {
+        for (String sans : List.of("", "=", " ''", " --statistiques")) {
+            verifierRefus("s.ini " + nom + sans, "option sans sa valeur : " + nom + " ; attendu : " + attendu);
+        }
         for (String valeur : valeurs.split(" ")) {
             String message = "valeur impossible pour " + nom + " : « " + valeur + " » ; attendu : " + attendu;
             verifierRefus("s.ini " + nom + " " + valeur, message);
@@ -174,6 +150,7 @@ class OptionsTest {
         "--vue rayons s.ini | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
         "--vue rayons --image a.png s.ini --comparer b.png | --comparer ne va pas avec --vue ; attendu : l'une ou l'autre",
         "--auto erreur=1 " + FENETRE, "--auto erreur=1 s.ini " + FENETRE,
+        "--pixel=800,0 s.ini | valeur impossible pour --pixel : « 800,0 » ; attendu : un pixel de l'image, de 0,0 à 799,599",
         "--pixel 7,7 --taille=9x7 s.ini | valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 à 8,6",
         "--pixel 1,1 " + SANS_SCENE, "--image a.png " + SANS_SCENE, "--lineaire=a.pfm " + SANS_SCENE,
         "--statistiques=oui | valeur impossible pour --statistiques : « oui » ; attendu : aucune valeur",
@@ -229,11 +206,7 @@ class OptionsTest {
 
     @Test
     void leTexteCiteEstCourtEtSansCaractereDeControle() {
-        StringBuilder long300 = new StringBuilder("\u001b");
-        for (int k = 0; k < 300; k++) {
-            long300.append('z');
-        }
-        String message = assertThrows(Echec.class, () -> Options.lire("--fils", long300.toString())).getMessage();
+        String message = assertThrows(Echec.class, () -> Options.lire("--fils", "\u001b" + "z".repeat(300))).getMessage();
         assertTrue(message.startsWith("valeur impossible pour --fils : « \\u001bzzz"), message);
         assertTrue(message.length() < 150, message);
     }
@@ -261,18 +234,14 @@ class OptionsTest {
         assertEquals(valeur, option.lire(option.ecrire(valeur)), option.nom + " " + texte);
     }
 
-    @Test
-    void uneValeurEcriteSeRelit() {
-        relire(Option.IMAGE, "A b.PNG");
-        relire(Option.TAILLE, "030x20");
-        relire(Option.PIXEL, "3,4");
-        relire(Option.ETAPE, "phong");
-        relire(Option.VUE, "marge");
-        relire(Option.REFLETS, "0007");
-        relire(Option.SEUIL, "+.123456789E-5");
-        relire(Option.SANS, "Blinn,brume");
-        relire(Option.AUTO, "erreur=.5");
-        relire(Option.PART, "0.7%");
-        relire(Option.SIMPLE, "");
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"--image | A b.PNG", "--lineaire | a.pfm", "--taille | 030x20", "--pixel | 3,4", "--etape | phong",
+        "--vue | marge", "--reflets | 0007", "--seuil | +.123456789E-5", "--fils | 2", "--repeter | 9", "--sans | Blinn,brume",
+        "--auto | erreur=.5", "--part | 0.7%", "--simple | ''", "--statistiques | ''"})
+    void uneValeurEcriteSeRelitEtNeSeDonneQuUneFois(String nom, String texte) {
+        relire(Option.TABLE.stream().filter(option -> option.nom.equals(nom)).findFirst().get(), texte);
+        String[] deux = texte.isEmpty() ? new String[] {nom, nom} : new String[] {nom + "=" + texte, nom, texte};
+        assertEquals("option donnée deux fois : " + nom + " ; attendu : une seule fois chaque option",
+                assertThrows(Echec.class, () -> Options.lire(deux)).getMessage());
     }
 }

@@ -8,14 +8,11 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;
-import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -73,48 +70,43 @@ class ProcessusTest extends EssaiProcessus {
         Path ici = dossier.toRealPath();
         Path variante = Files.createDirectories(ici.resolve("a/b/c/d"));
         Path scenes = Files.createDirectories(ici.resolve("scenes"));
-        Files.write(scenes.resolve("s.ini"), Arrays.asList("[Sphere]", "centre=0 0 6", "rayon=1"));
+        Files.write(scenes.resolve("s.ini"), List.of("[Sphere]", "centre=0 0 6", "rayon=1"));
         assertEquals(0, statut(preparer(java("", "--image=a.png", "--taille=4x4", "scenes/s.ini")).directory(variante.toFile())), erreur());
         assertTrue(Files.exists(variante.resolve("a.png")));
 
         // elle est nommée par le chemin où elle est, et protégée comme les autres
+        Path haute = Path.of("../../../../scenes/s.png");
         Files.copy(scenes.resolve("s.ini"), scenes.resolve("s.png"));
-        assertEquals(2, statut(preparer(java("", "--image=../../../../scenes/s.png", "scenes/s.png")).directory(variante.toFile())));
-        assertTrue(erreur().contains(" : " + Paths.get("../../../../scenes/s.png") + " ; attendu : un autre fichier"), erreur());
-        Files.write(scenes.resolve("s.ini"), Arrays.asList("[Cube]"));
-        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
-        assertTrue(erreur().startsWith("lancer : " + Paths.get("../../../../scenes/s.ini") + ", ligne 1, [Cube] : "), erreur());
-
+        refusee(variante, "la sortie est la scène elle-même : " + haute + " ; ", "--image=" + haute, "scenes/s.png");
         // la plus proche passe avant
-        Files.createDirectories(ici.resolve("a/b/scenes"));
-        Files.write(ici.resolve("a/b/scenes/s.ini"), Arrays.asList("[Cube]"));
-        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
-        assertTrue(erreur().startsWith("lancer : " + Paths.get("../../scenes/s.ini") + ", ligne 1, [Cube] : "), erreur());
-        Files.createDirectories(variante.resolve("scenes"));
-        Files.write(variante.resolve("scenes/s.ini"), Arrays.asList("[Cube]"));
-        assertEquals(2, statut(preparer(java("", "--image=b.png", "scenes/s.ini")).directory(variante.toFile())));
-        assertTrue(erreur().startsWith("lancer : " + Path.of("scenes/s.ini") + ", ligne 1, [Cube] : "), erreur());
+        for (String ou : List.of("../../../../scenes", "../../scenes", "scenes")) {
+            Path proche = Files.createDirectories(variante.resolve(ou)).resolve("s.ini");
+            Files.write(proche, List.of("[Cube]"));
+            refusee(variante, variante.relativize(proche.normalize()) + ", ligne 1, [Cube] : ", "--image=b.png", "scenes/s.ini");
+        }
 
         // cinq dossiers plus haut, elle n'est pas vue
         Path profond = Files.createDirectory(variante.resolve("e"));
         Files.write(ici.resolve("haut.ini"), new byte[0]);
-        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(profond.toFile())));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + profond
-                + " et les 4 dossiers au-dessus ; attendu : "),
-                erreur());
-        assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " et "),
-                erreur());
+        refusee(profond, "haut.ini : fichier introuvable dans " + profond + " et les 4 dossiers au-dessus ; attendu : ", "--image=b.png",
+                "haut.ini");
+        Path racine = Path.of("/").toAbsolutePath();
+        refusee(racine, "haut.ini : fichier introuvable dans " + racine + " et ", "--image=b.png", "haut.ini");
+    }
+
+    private void refusee(Path ici, String dit, String... arguments) throws Exception {
+        assertEquals(2, statut(preparer(java("", arguments)).directory(ici.toFile())));
+        assertTrue(erreur().startsWith("lancer : " + dit), erreur());
     }
 
     @Test
     void uneImageDuCoursTientDans64Megaoctets() throws Exception {
         List<String> lignes = new ArrayList<>();
         for (int k = 0; k < 10; k++) {
-            lignes.addAll(Arrays.asList("[Sphere " + k + "]", "centre=" + (k - 4.5) / 2 + " 0 " + (5 + k % 3), "rayon=0.4",
+            lignes.addAll(List.of("[Sphere " + k + "]", "centre=" + (k - 4.5) / 2 + " 0 " + (5 + k % 3), "rayon=0.4",
                     "Kd=0.5 0.5 0.9", "Ks=0.4 0.4 0.4", "ns=30"));
         }
-        lignes.addAll(Arrays.asList("[Lampe a]", "position=-4 6 -3", "couleur=1 1 1", "[Lampe b]", "position=4 6 0", "couleur=1 1 1"));
+        lignes.addAll(List.of("[Lampe a]", "position=-4 6 -3", "couleur=1 1 1", "[Lampe b]", "position=4 6 0", "couleur=1 1 1"));
         Path scene = dossier.resolve("dix.ini");
         Files.write(scene, lignes);
         assertEquals(0, statut(preparer(java("-Xmx64m", "--image=a.png", "--lineaire=a.pfm", scene.toString()))), erreur());
@@ -156,7 +148,7 @@ class ProcessusTest extends EssaiProcessus {
         // celle de Windows ne se choisit pas par LANG
         supposerUnix();
         Path scene = dossier.resolve("s.ini");
-        Files.write(scene, "[Sphère]\n".getBytes(StandardCharsets.UTF_8));
+        Files.writeString(scene, "[Sphère]\n");
         ProcessBuilder p = preparer(sansAccents(java("", "--image=a.png", scene.toString())));
         Map<String, String> environnement = p.environment();
         environnement.keySet().removeIf(nom -> nom.startsWith("LC_"));
@@ -165,7 +157,7 @@ class ProcessusTest extends EssaiProcessus {
         assertEquals(1, erreur().split("\n").length, erreur());
         assertTrue(erreur().contains("s.ini, ligne 1, [Sphère] : "), erreur());
 
-        Files.write(scene, "[Sphere née à Œx]\ncentre=0 0 6\nrayon=1\n".getBytes(StandardCharsets.UTF_8));
+        Files.writeString(scene, "[Sphere née à Œx]\ncentre=0 0 6\nrayon=1\n");
         assertEquals(0, statut(p), erreur());
         assertEquals("", erreur());
     }
@@ -192,10 +184,10 @@ class ProcessusTest extends EssaiProcessus {
         for (String mot : java("", "--image=a.png", "--repeter=100000", SCENE)) {
             dessin.append(" '").append(mot.replace("'", "'\\''")).append('\'');
         }
-        Files.write(dossier.resolve("dessin.sh"), dessin.toString().getBytes(StandardCharsets.UTF_8));
+        Files.writeString(dossier.resolve("dessin.sh"), dessin.toString());
         for (int[] cas : new int[][] {{30, 20}, {100, 20}}) {
             String commande = "stty cols " + cas[0] + "; sh dessin.sh";
-            processus = preparer(Arrays.asList("script", "-qefc", commande, "/dev/null")).start();
+            processus = preparer(List.of("script", "-qefc", commande, "/dev/null")).start();
             attendre(() -> sortie().contains(" %\r"));
             processus.destroy();
             processus.waitFor();
@@ -207,7 +199,7 @@ class ProcessusTest extends EssaiProcessus {
     @Test
     void unNomQueLaLangueDuSystemeNeSaitPasLireDitPourquoiEtLeRemede() throws Exception {
         supposerUnix();
-        Files.copy(Paths.get(SCENE), dossier.resolve("s.ini"));
+        Files.copy(Path.of(SCENE), dossier.resolve("s.ini"));
         String accent = "$(printf '\\303\\251')";
         String[][] demandes = {{"2", "exec \"$@\" --image=a.png " + accent + ".ini"}, {"1", "exec \"$@\" --image=" + accent + ".png s.ini"},
             {"2", "mkdir " + accent + "; cp s.ini " + accent + "; cd " + accent + "; exec \"$@\" --image=a.png s.ini"},
@@ -215,7 +207,7 @@ class ProcessusTest extends EssaiProcessus {
             {"2", "exec \"$@\" --comparer=" + accent + ".png s.ini"}};
         for (String[] demande : demandes) {
             List<String> commande = sansAccents(java(""));
-            commande.addAll(0, Arrays.asList("/bin/sh", "-c", "export LC_ALL=C; " + demande[1], "sh"));
+            commande.addAll(0, List.of("/bin/sh", "-c", "export LC_ALL=C; " + demande[1], "sh"));
             assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
             assertTrue(erreur().matches("lancer : .+ : .+ \\(la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de lire "
                     + "ce nom : mettre LC_ALL=C.UTF-8 devant la commande\\)( ; attendu : .+)?\n"), erreur());
@@ -228,11 +220,11 @@ class ProcessusTest extends EssaiProcessus {
         supposerUnix();
         assertEquals(0, statut(preparer(java("", "--image=a.png", "--lineaire=a.pfm", "--taille=20x15", SCENE))), erreur());
         for (String fin : new String[] {"png", "pfm"}) {
-            Files.createSymbolicLink(dossier.resolve("tube." + fin), Paths.get("/dev/stdout"));
+            Files.createSymbolicLink(dossier.resolve("tube." + fin), Path.of("/dev/stdout"));
             String option = fin.equals("png") ? "--image" : "--lineaire";
             ProcessBuilder p = preparer(java("", option, "tube." + fin, "--taille=20x15", SCENE));
             processus = p.redirectOutput(ProcessBuilder.Redirect.PIPE).start();
-            assertArrayEquals(Files.readAllBytes(dossier.resolve("a." + fin)), toutLire(processus.getInputStream()), fin);
+            assertArrayEquals(Files.readAllBytes(dossier.resolve("a." + fin)), processus.getInputStream().readAllBytes(), fin);
             assertEquals(0, processus.waitFor(), erreur());
             Files.delete(dossier.resolve("tube." + fin));
         }
@@ -245,14 +237,5 @@ class ProcessusTest extends EssaiProcessus {
         assertEquals(0, statut(preparer(java("-XX:+UseG1GC -Xmx88m", "--lineaire=a.pfm", "--taille=3000x2000", vide))), erreur());
         assertEquals("", erreur());
         assertEquals("PF\n3000 2000\n-1.0\n".length() + 12L * 3000 * 2000, Files.size(dossier.resolve("a.pfm")));
-    }
-
-    private static byte[] toutLire(InputStream entree) throws IOException {
-        ByteArrayOutputStream tout = new ByteArrayOutputStream();
-        byte[] tampon = new byte[1 << 16];
-        for (int n = entree.read(tampon); n >= 0; n = entree.read(tampon)) {
-            tout.write(tampon, 0, n);
-        }
-        return tout.toByteArray();
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Collections;
 import java.util.Map;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
@@ -32,7 +31,7 @@ class ReglagesTest {
     private final Reglages lus = Options.lire().pour(lues(gris, "part", "0.5"));
 
     private static Map<Variante, Section> lues(Variante variante, String... clesEtValeurs) {
-        return Collections.singletonMap(variante, new SectionLue("Gris", clesEtValeurs));
+        return Map.of(variante, new SectionLue("Gris", clesEtValeurs));
     }
 
     @Test
@@ -92,10 +91,10 @@ class ReglagesTest {
 
             @Override
             public Map<Section, Double> getSectionsProposees(Section sienne) {
-                return Collections.singletonMap(sienne.sansFichier("n", "2"), 0.5);
+                return Map.of(sienne.sansFichier("n", "2"), 0.5);
             }
         };
-        Reglages absente = Options.lire().pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
+        Reglages absente = Options.lire().pour(Map.of(proposeuse, new SectionLue("Proposeuse")));
         assertEquals(proposeuse, absente.getEssayee());
         assertNull(absente.avecVariante(proposeuse, false).getEssayee());
     }

@@ -6,8 +6,7 @@ import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
-import java.util.Collections;
+import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Couleur;
@@ -39,7 +38,7 @@ class TheorieTest {
     @Test
     void uneLampeALOeilEclaireToutCeQuiSeVoitSelonLambertEtPhong() {
         double D = 5 + Camera.FOCALE;
-        Scene scene = scene(Collections.singletonList(boule(0, 0, 5, 1, 0.7, 0.3, 8)), A_L_OEIL);
+        Scene scene = scene(List.of(boule(0, 0, 5, 1, 0.7, 0.3, 8)), A_L_OEIL);
         Camera camera = new Camera(101, 101);
         Lancer lancer = new Lancer(scene, camera);
         int touches = 0;
@@ -61,7 +60,7 @@ class TheorieTest {
     void leSeuilNOublieQueCeQuIlPromet() {
         Sphere fond = boule(0, 0, 5, 1, 0.5, 0.5, 1);
         Sphere face = boule(0, 0, -5, 1, 0.5, 0.5, 1);
-        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        Scene scene = scene(List.of(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
         double limite = 2 * 0.8;
         for (double seuil : new double[] {0.5, 0.1, 1.0 / 1024, 1e-9}) {
             double oubli = limite - scene.avec(new Modele().avecSeuil(seuil)).getCouleurVue(DEVANT, null, 1000).r;
@@ -76,14 +75,14 @@ class TheorieTest {
         for (Couleur seule : new Couleur[] {new Couleur(1, 0.1, 0), new Couleur(0.1, 1, 0), new Couleur(0.1, 0, 1)}) {
             fond.setKs(seule);
             face.setKs(seule);
-            Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(1));
+            Scene scene = scene(List.of(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(1));
             scene.getCouleurVue(DEVANT, null, 40);
             assertEquals(40, scene.getCompteurs().reflechis, "une composante suffit : " + seule);
         }
         // égal au seuil : encore suivi
         fond.setKs(new Couleur(0.5));
         face.setKs(new Couleur(0.5));
-        Scene demi = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(0.125));
+        Scene demi = scene(List.of(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(0.125));
         demi.getCouleurVue(DEVANT, null, 40);
         assertEquals(3, demi.getCompteurs().reflechis);
     }
@@ -93,12 +92,12 @@ class TheorieTest {
         Sphere boule = boule(0, 0, 5, 1, 0, 0.5, 0);
         // le contact est en (−0.8, 0, 4.4) : N = (−0.8, 0, −0.6), R = (−0.96, 0, 0.28), N·L = 0.352 et R·L = −0.5376
         Rayon deCote = new Rayon(new Point(-0.8, 0, 0), new Vecteur(0, 0, 1));
-        Scene cote = scene(Collections.singletonList(boule), new Lampe(new Point(2, 0, -5.2), new Couleur(1)));
+        Scene cote = scene(List.of(boule), new Lampe(new Point(2, 0, -5.2), new Couleur(1)));
         assertEquals(0.5, cote.getCouleurVue(deCote, null, 0).r, 0, "R·L < 0, mais 0^0 = 1");
         boule.setNs(1e-3);
         assertEquals(0, cote.getCouleurVue(deCote, null, 0).r, 0, "0^ns = 0 pour tout autre ns");
         boule.setNs(0);
-        Scene dos = scene(Collections.singletonList(boule), new Lampe(new Point(0, 0, 50), new Couleur(1)));
+        Scene dos = scene(List.of(boule), new Lampe(new Point(0, 0, 50), new Couleur(1)));
         assertEquals(new Couleur(), dos.getCouleurVue(DEVANT, null, 0));
     }
 
@@ -111,7 +110,7 @@ class TheorieTest {
             Point centre = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
             Sphere boule = boule(centre.x, centre.y, centre.z, 1, 1, 0, 1);
             Point oeil = centre.add(2 + hasard.nextDouble(), d);
-            Scene scene = scene(Collections.singletonList(boule), new Lampe(oeil, new Couleur(1)));
+            Scene scene = scene(List.of(boule), new Lampe(oeil, new Couleur(1)));
             Rayon rayon = new Rayon(oeil, d.neg());
             assertTrue(scene.getCouleurVue(rayon, null, 0).r <= 1, "tirage " + k);
             Point contact = rayon.calcContact();
@@ -123,14 +122,14 @@ class TheorieTest {
     @Test
     void unRayonQuiNePeutRienChangerNEstPasLance() {
         Lampe lampe = new Lampe(new Point(0, 0, -9), new Couleur(1));
-        Scene mate = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), lampe);
+        Scene mate = scene(List.of(boule(0, 0, 5, 1, 1, 0, 1)), lampe);
         mate.getCouleurVue(DEVANT, null, 5);
         assertEquals(1, mate.getCompteurs().ombre);
         assertEquals(0, mate.getCompteurs().reflechis, "Ks = 0");
-        Scene noire = scene(Collections.singletonList(boule(0, 0, 5, 1, 0, 0, 1)), lampe);
+        Scene noire = scene(List.of(boule(0, 0, 5, 1, 0, 0, 1)), lampe);
         noire.getCouleurVue(DEVANT, null, 5);
         assertEquals(0, noire.getCompteurs().ombre, "ni Kd ni Ks");
-        Scene dos = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), new Lampe(new Point(0, 0, 9), new Couleur(1)));
+        Scene dos = scene(List.of(boule(0, 0, 5, 1, 1, 0, 1)), new Lampe(new Point(0, 0, 9), new Couleur(1)));
         dos.getCouleurVue(DEVANT, null, 5);
         assertEquals(0, dos.getCompteurs().ombre, "N·L ≤ 0");
     }
@@ -143,7 +142,7 @@ class TheorieTest {
     void deuxMiroirsInegauxDonnentUneSuiteDeRaisonK1K2() {
         Sphere fond = boule(0, 0, 5, 1, 0.5, 0.75, 1);
         Sphere face = boule(0, 0, -7, 3, 0.2, 0.5, 1);
-        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        Scene scene = scene(List.of(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
         double c1 = (0.5 + 0.75) * 0.8;
         double c2 = (0.2 + 0.5) * 0.8;
         double raison = 0.75 * 0.5;

@@ -163,7 +163,7 @@ public final class Defauts {
     }
 
     private static Scene scene(Lampe lampe, Sphere... boules) {
-        return new Scene(Arrays.asList(boules), List.of(lampe));
+        return new Scene(List.of(boules), List.of(lampe));
     }
 
     private double[] regard(double xe, double ye) {
@@ -234,7 +234,7 @@ public final class Defauts {
     }
 
     private void noter(String nom, Lampe lampe, Ombre ombre, double epsilon, Vue juste, Sphere... boules) {
-        noter(nom, scene(lampe, boules), 0, new TraceurNaif(Arrays.asList(boules), List.of(lampe), cote, 0, ombre, epsilon), juste);
+        noter(nom, scene(lampe, boules), 0, new TraceurNaif(List.of(boules), List.of(lampe), cote, 0, ombre, epsilon), juste);
     }
 
     private void noter(String nom, Scene scene, int reflets, Vue naive, Vue juste) {

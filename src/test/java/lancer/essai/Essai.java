@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import lancer.Main;
 import lancer.scene.LecteurSections;
 
@@ -234,9 +235,12 @@ public final class Essai {
     }
 
     private static String[] arguments(Path dossier, Path scene, String... options) {
-        List<String> args = new ArrayList<>(List.of(options));
-        args.addAll(List.of("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString()));
-        return args.toArray(new String[0]);
+        return suite(options, "--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
+    }
+
+    /** Ces arguments, puis ceux-là. */
+    public static String[] suite(String[] arguments, String... suite) {
+        return Stream.concat(Stream.of(arguments), Stream.of(suite)).toArray(String[]::new);
     }
 
     private static float[] dessinee(Essai essai, Path dossier) throws IOException {

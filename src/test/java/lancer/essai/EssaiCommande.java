@@ -6,12 +6,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.Arrays;
+import java.util.List;
 import java.util.TreeSet;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -53,11 +51,7 @@ public abstract class EssaiCommande {
     }
 
     protected static Essai executer(String... arguments) {
-        String[] tous = Arrays.copyOf(arguments, arguments.length + 3);
-        tous[arguments.length] = "--taille";
-        tous[arguments.length + 1] = "40x30";
-        tous[arguments.length + 2] = SCENE;
-        return Essai.executer(tous);
+        return Essai.executer(Essai.suite(arguments, "--taille", "40x30", SCENE));
     }
 
     protected static void verifierRefus(int statut, String message, Essai e) {
@@ -67,21 +61,7 @@ public abstract class EssaiCommande {
     }
 
     protected void verifierFichiers(String... noms) {
-        assertEquals(new TreeSet<>(Arrays.asList(noms)), new TreeSet<>(Arrays.asList(dossier.toFile().list())));
-    }
-
-    protected static void ecrireTexte(Path fichier, String texte) throws IOException {
-        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
-    }
-
-    protected static String lireTexte(Path fichier) throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-    }
-
-    /** Une sortie de ce nom qui ne prend rien, comme un disque plein ; le test est passé là où le système n'en a pas. */
-    protected Path disquePlein(String nom) throws IOException {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        return lien(nom, Paths.get("/dev/full"));
+        assertEquals(new TreeSet<>(List.of(noms)), new TreeSet<>(List.of(dossier.toFile().list())));
     }
 
     /** Un lien symbolique ; le test est passé là où Windows n'en donne pas le droit, ou n'en fait pas un. */

@@ -6,7 +6,6 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -27,12 +26,11 @@ public final class EssaiPixel {
      */
     public static void verifier(List<Path> classes, Path dossier, Path scene, int largeur, int hauteur, String... options)
             throws IOException {
-        List<String> communs = new ArrayList<>(Arrays.asList(options));
-        communs.addAll(Arrays.asList("--taille", largeur + "x" + hauteur, scene.toString()));
+        String[] communs = Essai.suite(options, "--taille", largeur + "x" + hauteur, scene.toString());
         Path png = dossier.resolve("image.png");
         Path pfm = dossier.resolve("image.pfm");
         try (Essai.Isole programme = new Essai.Isole(classes)) {
-            Essai image = executer(programme, communs, "--image=" + png, "--lineaire=" + pfm);
+            Essai image = programme.executer(Essai.suite(communs, "--image=" + png, "--lineaire=" + pfm));
             assertEquals(0, image.code, image.toString());
             float[] lineaire = Essai.pfm(Files.readAllBytes(pfm));
             BufferedImage codes = ImageIO.read(png.toFile());
@@ -42,7 +40,7 @@ public final class EssaiPixel {
             for (int k = 0; k < 16 + AU_HASARD; k++) {
                 int x = Math.min(largeur - 1, k < 16 ? xs[k % 4] : hasard.nextInt(largeur));
                 int y = Math.min(hauteur - 1, k < 16 ? ys[k / 4] : hasard.nextInt(hauteur));
-                Essai pixel = executer(programme, communs, "--pixel=" + x + "," + y);
+                Essai pixel = programme.executer(Essai.suite(communs, "--pixel=" + x + "," + y));
                 assertEquals(image.erreur, pixel.erreur);
                 assertEquals(0, pixel.code);
                 String[] lignes = pixel.sortie.split(System.lineSeparator());
@@ -57,11 +55,5 @@ public final class EssaiPixel {
                 assertEquals(String.format("#%06X", codes.getRGB(x, y) & 0xFFFFFF), mots[5], cas);
             }
         }
-    }
-
-    private static Essai executer(Essai.Isole programme, List<String> communs, String... autres) {
-        List<String> args = new ArrayList<>(communs);
-        args.addAll(Arrays.asList(autres));
-        return programme.executer(args.toArray(new String[0]));
     }
 }

@@ -9,9 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -54,13 +52,13 @@ public abstract class EssaiProcessus {
     /** La commande qui lance le programme, avec ces options de Java. */
     protected static List<String> java(String options, String... arguments) {
         List<String> commande = new ArrayList<>();
-        commande.add(Paths.get(System.getProperty("java.home"), "bin", "java").toString());
-        commande.addAll(Arrays.asList(RAPIDE));
-        commande.addAll(Arrays.asList(options.trim().isEmpty() ? new String[0] : options.trim().split(" +")));
+        commande.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        commande.addAll(List.of(RAPIDE));
+        commande.addAll(List.of(options.isEmpty() ? new String[0] : options.split(" ")));
         commande.add("-cp");
         commande.add(Essai.origine(Main.class) + File.pathSeparator + Essai.origine(IniParser.class));
         commande.add("lancer.Main");
-        commande.addAll(Arrays.asList(arguments));
+        commande.addAll(List.of(arguments));
         return commande;
     }
 
@@ -71,7 +69,7 @@ public abstract class EssaiProcessus {
         for (String chemin : commande.get(k).split(File.pathSeparator)) {
             Path copie = erreur.resolveSibling("chemin" + copies.size());
             if (Files.notExists(copie)) {
-                copier(Paths.get(chemin), copie);
+                copier(Path.of(chemin), copie);
             }
             copies.add(copie.toString());
         }
@@ -91,7 +89,7 @@ public abstract class EssaiProcessus {
     protected ProcessBuilder preparer(List<String> commande) {
         ProcessBuilder p = new ProcessBuilder(commande).directory(dossier.toFile());
         // ces variables font écrire à la machine virtuelle une ligne de plus
-        p.environment().keySet().removeAll(Arrays.asList("JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
+        p.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
         return p.redirectError(erreur.toFile()).redirectOutput(sortie.toFile());
     }
 
@@ -111,23 +109,23 @@ public abstract class EssaiProcessus {
     }
 
     protected static void supposerUnix() {
-        assumeTrue(File.separatorChar == '/' && Files.exists(Paths.get("/proc/self/status")), "pas un Linux");
+        assumeTrue(File.separatorChar == '/' && Files.exists(Path.of("/proc/self/status")), "pas un Linux");
     }
 
     /** Ce qui est dans le dossier, les flux mis à part. */
     protected void verifierDossier(String... noms) {
-        Set<String> presents = new TreeSet<>(Arrays.asList(dossier.toFile().list()));
+        Set<String> presents = new TreeSet<>(List.of(dossier.toFile().list()));
         presents.remove("flux");
-        assertEquals(new TreeSet<>(Arrays.asList(noms)), presents);
+        assertEquals(new TreeSet<>(List.of(noms)), presents);
     }
 
     protected int demarrerInterruptible(String... arguments) throws Exception {
-        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "echo $$ && exec \"$@\"", "sh"));
-        commande.addAll(java("", arguments));
+        List<String> commande = java("", arguments);
+        commande.addAll(0, List.of("/bin/sh", "-c", "echo $$ && exec \"$@\"", "sh"));
         processus = preparer(commande).start();
         attendre(() -> sortie().endsWith("\n"));
         int pid = Integer.parseInt(sortie().trim());
-        for (String ligne : Files.readAllLines(Paths.get("/proc/" + pid + "/status"))) {
+        for (String ligne : Files.readAllLines(Path.of("/proc/" + pid + "/status"))) {
             if (ligne.startsWith("SigIgn:")) {
                 // un programme lancé en arrière-plan par un script ignore Ctrl+C, et ses enfants aussi
                 assumeTrue((Long.parseLong(ligne.substring(7).trim(), 16) & 2) == 0, "Ctrl+C est ignoré ici");

@@ -5,13 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,7 +18,7 @@ import org.ini4j.Config;
 /** De quoi changer une classe de la base comme le ferait un étudiant, et la recompiler. */
 public final class Modification {
 
-    private static final Path SOURCES = Paths.get("src/main/java/lancer");
+    private static final Path SOURCES = Path.of("src/main/java/lancer");
 
     private Modification() {
     }
@@ -35,7 +31,7 @@ public final class Modification {
             String ancien = classesAnciensNouveaux[k + 1];
             String nouveau = classesAnciensNouveaux[k + 2] == null ? "" : classesAnciensNouveaux[k + 2];
             String source = sources.containsKey(classe) ? sources.get(classe)
-                    : new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
+                    : Files.readString(SOURCES.resolve(classe + ".java"));
             assertTrue(source.contains(ancien), classe + " n'a plus « " + ancien + " »");
             sources.put(classe, source.replace(ancien, nouveau));
         }
@@ -45,13 +41,13 @@ public final class Modification {
     /** Le programme où ces classes ont ces textes. */
     public static Essai.Isole compilee(Path dossier, Map<String, String> sources) throws IOException {
         Path classes = Files.createDirectories(dossier.resolve("classes"));
-        List<String> javac = new ArrayList<>(Arrays.asList("-nowarn", "-encoding", "UTF-8", "-d", classes.toString(),
+        List<String> javac = new ArrayList<>(List.of("-nowarn", "-encoding", "UTF-8", "-d", classes.toString(),
                 "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
         for (Map.Entry<String, String> changee : sources.entrySet()) {
-            Path source = dossier.resolve(Paths.get(changee.getKey() + ".java").getFileName());
-            javac.add(Files.write(source, changee.getValue().getBytes(StandardCharsets.UTF_8)).toString());
+            Path source = dossier.resolve(Path.of(changee.getKey() + ".java").getFileName());
+            javac.add(Files.writeString(source, changee.getValue()).toString());
         }
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])), sources.toString());
-        return new Essai.Isole(Collections.singletonList(classes), Collections.<Path>emptyList());
+        return new Essai.Isole(List.of(classes), List.of());
     }
 }

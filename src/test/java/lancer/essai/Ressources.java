@@ -98,7 +98,7 @@ public final class Ressources {
     }
 
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
-        return new Scene(objets, Arrays.asList(lampes)).avec(new Modele().avecSeuil(0));
+        return new Scene(objets, List.of(lampes)).avec(new Modele().avecSeuil(0));
     }
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {

@@ -11,10 +11,8 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -43,13 +41,12 @@ class EchecsTest extends EssaiProcessus {
     void unDisqueQuiSeRemplitLaisseLAncienneImage() throws Exception {
         supposerUnix();
         Path pfm = dossier.resolve("a.pfm");
-        Files.write(pfm, new byte[] {1, 2, 3});
-        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "ulimit -f 64 && exec \"$@\"", "sh"));
-        commande.addAll(java("-XX:-UsePerfData -Xshare:off", "--lineaire=a.pfm", "--taille=400x300", SCENE));
+        Files.write(pfm, AVANT);
+        List<String> commande = java("-XX:-UsePerfData -Xshare:off", "--lineaire=a.pfm", "--taille=400x300", SCENE);
+        commande.addAll(0, List.of("/bin/sh", "-c", "ulimit -f 64 && exec \"$@\"", "sh"));
         assertEquals(1, statut(preparer(commande)), erreur());
-        assertEquals(1, erreur().split("\n").length, erreur());
-        assertTrue(erreur().startsWith("lancer : a.pfm : "), erreur());
-        assertArrayEquals(new byte[] {1, 2, 3}, Files.readAllBytes(pfm));
+        assertTrue(erreur().matches("lancer : a.pfm : .*\n"), erreur());
+        assertArrayEquals(AVANT, Files.readAllBytes(pfm));
         verifierDossier("a.pfm");
     }
 
@@ -61,15 +58,14 @@ class EchecsTest extends EssaiProcessus {
         supposerUnix();
         Files.createDirectories(dossier.resolve("disque"));
         Files.createDirectories(dossier.resolve("flux/reste"));
-        String[] unshare = {"unshare", "-m", "/bin/sh", "-c", "mount -t tmpfs tmpfs disque"};
-        assumeTrue(new File("/usr/bin/unshare").canExecute() && statut(preparer(Arrays.asList(unshare))) == 0,
+        assumeTrue(new File("/usr/bin/unshare").canExecute()
+                && statut(preparer(List.of("unshare", "-m", "/bin/sh", "-c", "mount -t tmpfs tmpfs disque"))) == 0,
                 "il faut pouvoir monter un disque");
         String script = "mount -t tmpfs tmpfs disque && cp avant disque/a.pfm && mount -o remount," + options + " tmpfs disque && \"$@\"; "
                 + "statut=$?; cp -a disque/. flux/reste && exit $statut";
         Files.write(dossier.resolve("avant"), AVANT);
-        List<String> commande = new ArrayList<>(Arrays.asList(unshare).subList(0, 4));
-        commande.addAll(Arrays.asList(script, "sh"));
-        commande.addAll(java("", arguments));
+        List<String> commande = java("", arguments);
+        commande.addAll(0, List.of("unshare", "-m", "/bin/sh", "-c", script, "sh"));
         return statut(preparer(commande));
     }
 
@@ -100,30 +96,26 @@ class EchecsTest extends EssaiProcessus {
     void unDossierOuUneSceneInterditsSeDisentEnUneLigne() throws Exception {
         supposerUnix();
         Path protege = Files.createDirectory(dossier.resolve("protege"));
-        Path scene = Files.copy(Paths.get(SCENE), dossier.resolve("s.ini"));
+        Path scene = Files.copy(Path.of(SCENE), dossier.resolve("s.ini"));
         List<String> sansPouvoir = new ArrayList<>();
-        if (Files.isWritable(Paths.get("/"))) {
+        if (Files.isWritable(Path.of("/"))) {
             assumeTrue(new File("/usr/bin/setpriv").canExecute(), "il faut setpriv pour ne plus pouvoir tout écrire");
-            sansPouvoir.addAll(Arrays.asList("/usr/bin/setpriv", "--bounding-set=-dac_override,-dac_read_search",
+            sansPouvoir.addAll(List.of("/usr/bin/setpriv", "--bounding-set=-dac_override,-dac_read_search",
                     "--inh-caps=-dac_override,-dac_read_search"));
         }
         assertTrue(protege.toFile().setWritable(false, false));
-        List<String> commande = new ArrayList<>(sansPouvoir);
-        commande.addAll(java("", "--image=protege/a.png", "--taille=4x4", "s.ini"));
-        assertEquals(1, statut(preparer(commande)), erreur());
-        assertEquals("lancer : protege/a.png : écriture impossible, accès interdit\n", erreur());
-
         assertTrue(scene.toFile().setReadable(false, false));
-        commande = new ArrayList<>(sansPouvoir);
-        commande.addAll(java("", "--image=a.png", "--taille=4x4", "s.ini"));
-        assertEquals(2, statut(preparer(commande)), erreur());
-        assertTrue(erreur().matches("lancer : s.ini : lecture impossible \\(accès interdit\\) ; attendu : .+\n"), erreur());
-
         assertTrue(Files.write(dossier.resolve("i.png"), AVANT).toFile().setReadable(false, false));
-        commande = new ArrayList<>(sansPouvoir);
-        commande.addAll(java("", "--comparer=i.png", "i.png"));
-        assertEquals(2, statut(preparer(commande)), erreur());
-        assertTrue(erreur().matches("lancer : i.png : image illisible : acc.s interdit ; attendu : .+\n"), erreur());
+        Files.copy(Path.of(SCENE), dossier.resolve("lisible.ini"));
+        String[][] demandes = {{"1", "--image=protege/a.png", "lisible.ini", "protege/a.png : écriture impossible, accès interdit"},
+            {"2", "--image=a.png", "s.ini", "s.ini : lecture impossible \\(accès interdit\\) ; attendu : .+"},
+            {"2", "--comparer=i.png", "i.png", "i.png : image illisible : accès interdit ; attendu : .+"}};
+        for (String[] demande : demandes) {
+            List<String> commande = java("", demande[1], demande[2]);
+            commande.addAll(0, sansPouvoir);
+            assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
+            assertTrue(erreur().matches("lancer : " + demande[3] + "\n"), erreur());
+        }
         assertTrue(protege.toFile().setWritable(true));
         assertArrayEquals(new String[0], protege.toFile().list());
         assertFalse(Files.exists(dossier.resolve("a.png")));
@@ -132,17 +124,16 @@ class EchecsTest extends EssaiProcessus {
     @Test
     void unDossierEffaceOuUnDossierMisALaPlacePendantLeDessinEstUnePanne() throws IOException {
         Path sous = Files.createDirectory(dossier.resolve("sous"));
-        Ecriture<ImageMemoire> ecriture = new Ecriture<>(sous.resolve("a.png").toString(), new FichierPng());
+        Path png = sous.resolve("a.png");
+        Ecriture<ImageMemoire> ecriture = new Ecriture<>(png.toString(), new FichierPng());
         Files.delete(sous);
         ImageMemoire image = new ImageMemoire(3, 2, false);
         Echec e = assertThrows(Echec.class, () -> ecriture.ecrire(image));
-        assertEquals(sous.resolve("a.png") + " : écriture impossible, le dossier n'existe pas", e.getMessage());
-        assertEquals(1, e.code);
+        assertEquals("1 " + png + " : écriture impossible, le dossier n'existe pas", e.code + " " + e.getMessage());
 
-        Files.createDirectories(sous.resolve("a.png/plein"));
+        Files.createDirectories(png.resolve("plein"));
         e = assertThrows(Echec.class, () -> ecriture.remplacer(image));
-        assertEquals(sous.resolve("a.png") + " : écriture impossible, c'est un dossier", e.getMessage());
-        assertEquals(1, e.code);
+        assertEquals("1 " + png + " : écriture impossible, c'est un dossier", e.code + " " + e.getMessage());
         assertArrayEquals(new String[] {"a.png"}, sous.toFile().list());
     }
 
@@ -156,10 +147,9 @@ class EchecsTest extends EssaiProcessus {
         Files.createDirectories(png.resolve("plein"));
         Files.write(dossier.resolve("a-2.png"), AVANT);
         ImageMemoire image = new ImageMemoire(3, 2, true);
-        Echec e = assertThrows(Echec.class, () -> Ecriture.ecrire(image, Arrays.asList(prise, libre)));
+        Echec e = assertThrows(Echec.class, () -> Ecriture.ecrire(image, List.of(prise, libre)));
         assertEquals(1, e.code);
-        assertTrue(e.getMessage().startsWith(png + " : remplacement impossible, "), e.getMessage());
-        assertTrue(e.getMessage().endsWith(" ; écrit à côté, dans a-3.png"), e.getMessage());
+        assertTrue(e.getMessage().matches("\\Q" + png + "\\E : remplacement impossible, .* ; écrit à côté, dans a-3.png"), e.getMessage());
         assertEquals(3, ImageIO.read(dossier.resolve("a-3.png").toFile()).getWidth());
         assertTrue(Files.size(pfm) > 0);
         assertArrayEquals(AVANT, Files.readAllBytes(dossier.resolve("a-2.png")));
@@ -169,11 +159,11 @@ class EchecsTest extends EssaiProcessus {
     @Test
     void unLecteurQuiSEnVaEstUnePanne() throws Exception {
         supposerUnix();
-        Files.createSymbolicLink(dossier.resolve("flux/tube.pfm"), Paths.get("/dev/stdout"));
-        List<String> commande = new ArrayList<>(Arrays.asList("/bin/sh", "-c", "{ \"$@\"; echo $? > flux/statut; } | head -c 1", "sh"));
-        commande.addAll(java("", "--lineaire=flux/tube.pfm", "--taille=400x300", SCENE));
+        Files.createSymbolicLink(dossier.resolve("flux/tube.pfm"), Path.of("/dev/stdout"));
+        List<String> commande = java("", "--lineaire=flux/tube.pfm", "--taille=400x300", SCENE);
+        commande.addAll(0, List.of("/bin/sh", "-c", "{ \"$@\"; echo $? > flux/statut; } | head -c 1", "sh"));
         statut(preparer(commande));
-        attendre(() -> new String(Files.readAllBytes(dossier.resolve("flux/statut")), StandardCharsets.US_ASCII).equals("1\n"));
+        attendre(() -> Files.readString(dossier.resolve("flux/statut")).equals("1\n"));
         Files.delete(dossier.resolve("flux/tube.pfm"));
         assertTrue(erreur().matches("lancer : flux/tube.pfm : écriture impossible, .+\n"), erreur());
     }

@@ -8,9 +8,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import lancer.Camera;
 import lancer.Couleur;
@@ -35,7 +32,7 @@ class PixelTest extends EssaiCommande {
     @CsvSource({"p1-quatre, 61, 47, --reflets=5", "p2-sol, 70, 33, --seuil=0", "p3-miroirs, 40, 30, --reflets=40",
         "p4-foule, 33, 65, --reflets=0", "p4-foule, 1, 1, --seuil=0.2", "p1-quatre, 100, 3, --simple"})
     void lePixelDemandeEstCeluiDeLImage(String scene, int largeur, int hauteur, String option) throws IOException {
-        EssaiPixel.verifier(Collections.emptyList(), dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")), largeur, hauteur,
+        EssaiPixel.verifier(List.of(), dossier, Path.of(Ressources.chemin("reference/" + scene + ".ini")), largeur, hauteur,
                 option);
     }
 
@@ -47,7 +44,7 @@ class PixelTest extends EssaiCommande {
             rayons[0]++;
             return vue;
         });
-        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele.construire());
+        Scene vide = new Scene(List.of(), List.of()).avec(modele.construire());
         new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire(() -> false);
         assertEquals(2, rayons[0]);
     }
@@ -66,8 +63,8 @@ class PixelTest extends EssaiCommande {
         Scene lue = new Scene(SCENE);
         Scene scene = lue.avec(lue.getModele().avec(voisins, 0));
         Camera camera = new Camera(40, 70);
-        assertEquals(Arrays.asList("pixel 31, 31", "somme 1024.0 1024.0 1024.0 = #FFFFFF"), recit(scene, camera, 31, 31));
-        assertEquals(Arrays.asList("pixel 32, 69", "somme 48.0 48.0 48.0 = #FFFFFF"), recit(scene, camera, 32, 69));
+        assertEquals(List.of("pixel 31, 31", "somme 1024.0 1024.0 1024.0 = #FFFFFF"), recit(scene, camera, 31, 31));
+        assertEquals(List.of("pixel 32, 69", "somme 48.0 48.0 48.0 = #FFFFFF"), recit(scene, camera, 32, 69));
     }
 
     private static List<String> recit(Scene scene, Camera camera, int x, int y) {
@@ -89,7 +86,7 @@ class PixelTest extends EssaiCommande {
         petite.start();
         petite.join();
         assertEquals(0, essai[0].code, essai[0].toString());
-        EssaiPixel.verifier(Collections.emptyList(), dossier, scene, 9, 7, "--reflets=1000", "--seuil=0");
+        EssaiPixel.verifier(List.of(), dossier, scene, 9, 7, "--reflets=1000", "--seuil=0");
     }
 
     @Test

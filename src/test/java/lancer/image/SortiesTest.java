@@ -17,13 +17,10 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.List;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.Couleur;
@@ -44,7 +41,7 @@ class SortiesTest extends EssaiCommande {
         verifierRefus(1, absent + " : écriture impossible, le dossier n'existe pas", executer("--image", absent.toString()));
         Path plein = Files.createDirectory(dossier.resolve("plein.pfm"));
         verifierRefus(1, plein + " : écriture impossible, c'est un dossier", executer("--lineaire", plein.toString()));
-        ecrireTexte(png, "pas un dossier");
+        Files.writeString(png, "pas un dossier");
         Path dessous = png.resolve("image.png");
         verifierPanne(dessous, executer("--image", dessous.toString()));
         verifierFichiers("image.png", "plein.pfm");
@@ -52,7 +49,8 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void unEchecNeDitQueLui() throws IOException {
-        Path pleine = disquePlein("pleine.png");
+        assumeTrue(Files.exists(Path.of("/dev/full")), "pas de /dev/full ici");
+        Path pleine = lien("pleine.png", Path.of("/dev/full"));
         String scene = Ressources.chemin("valides/avertie-brume.ini");
         verifierPanne(pleine, Essai.executer("--taille=4x4", "--image=" + pleine, scene));
     }
@@ -65,7 +63,7 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void desLiensSansFinSontUnePanne() throws IOException {
-        Path boucle = lien("boucle.png", Paths.get("boucle.png"));
+        Path boucle = lien("boucle.png", Path.of("boucle.png"));
         verifierPanne(boucle, executer("--image", boucle.toString()));
     }
 
@@ -81,7 +79,7 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void uneSortieStandardPleineEstUnePanne() throws IOException {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
+        assumeTrue(Files.exists(Path.of("/dev/full")), "pas de /dev/full ici");
         ByteArrayOutputStream erreur = new ByteArrayOutputStream();
         try (PrintStream pleine = new PrintStream("/dev/full", "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
             assertEquals(1, Essai.executer(pleine, e, "--aide"));
@@ -93,7 +91,7 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void uneImageRemplaceLAncienneEnEntierEtRienNeTraine() throws IOException {
-        ecrireTexte(png, String.join("", Collections.nCopies(100_000, "vieux")));
+        Files.writeString(png, "vieux".repeat(100_000));
         dessiner("--image", png.toString(), "--lineaire", pfm.toString());
         assertTrue(Files.size(png) < 10_000);
         assertEquals(40, ImageIO.read(png.toFile()).getWidth());
@@ -102,28 +100,22 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void uneEcritureQuiEchoueLaisseLeFichierCommeAvant() throws IOException {
-        ecrireTexte(png, "avant");
+        Files.writeString(png, "avant");
         ImageMemoire image = new ImageMemoire(3, 2, true);
-        Map<String, Ecriture.Format<ImageMemoire>> pannes = new LinkedHashMap<>();
-        pannes.put("plus de place", (i, sortie) -> {
+        Ecriture.Format<ImageMemoire> panne = (i, sortie) -> {
             new FichierPng().ecrire(i, sortie);
-            throw new IOException("plus de place");
-        });
-        pannes.put("la prise est débranchée", (i, sortie) -> {
             sortie.write(new byte[1 << 20]);
-            throw new IOException("la prise est débranchée");
-        });
-        for (Map.Entry<String, Ecriture.Format<ImageMemoire>> panne : pannes.entrySet()) {
-            for (Path sortie : new Path[] {png, pfm}) {
-                Echec e = assertThrows(Echec.class, () -> new Ecriture<>(sortie.toString(), panne.getValue()).ecrire(image));
-                assertEquals(sortie + " : écriture impossible, " + panne.getKey(), e.getMessage());
-                assertEquals(1, e.code);
-            }
+            throw new IOException("plus de place");
+        };
+        for (Path sortie : List.of(png, pfm)) {
+            Echec e = assertThrows(Echec.class, () -> new Ecriture<>(sortie.toString(), panne).ecrire(image));
+            assertEquals(sortie + " : écriture impossible, plus de place", e.getMessage());
+            assertEquals(1, e.code);
         }
         assertThrows(OutOfMemoryError.class, () -> new Ecriture<ImageMemoire>(png.toString(), (i, sortie) -> {
             throw new OutOfMemoryError();
         }).ecrire(image));
-        assertEquals("avant", lireTexte(png));
+        assertEquals("avant", Files.readString(png));
         verifierFichiers("image.png");
     }
 
@@ -131,7 +123,7 @@ class SortiesTest extends EssaiCommande {
     void unLienSymboliqueEstSuivi() throws IOException {
         Path ailleurs = Files.createDirectory(dossier.resolve("ailleurs"));
         Path vraie = ailleurs.resolve("vraie.png");
-        Path lien = lien("lien.png", Paths.get("ailleurs/vraie.png"));
+        Path lien = lien("lien.png", Path.of("ailleurs/vraie.png"));
         for (int fois = 0; fois < 2; fois++) {
             // la première fois, il ne mène encore à rien
             dessiner("--image", lien.toString());
@@ -146,7 +138,7 @@ class SortiesTest extends EssaiCommande {
     void uneImageOuUneSceneGardeSesPermissionsSonProprietaireEtSesAutresNoms() throws IOException {
         assumeTrue(Files.getFileStore(dossier).supportsFileAttributeView("posix"), "pas de permissions ici");
         for (String permissions : new String[] {"rw-------", "rw-rw-rw-", "rwxr-x---"}) {
-            ecrireTexte(png, "avant");
+            Files.writeString(png, "avant");
             Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
             UserPrincipal qui = donner(png);
             new Ecriture<ImageMemoire>(png.toString(), (image, sortie) -> {
@@ -178,20 +170,17 @@ class SortiesTest extends EssaiCommande {
 
     @Test
     void unNomAussiLongQueLeSystemeLePermetConvient() {
-        StringBuilder nom = new StringBuilder();
-        while (nom.length() < 251) {
-            nom.append('n');
-        }
-        dessiner("--image", dossier.resolve(nom + ".png").toString());
-        verifierFichiers(nom + ".png");
+        String nom = "n".repeat(251) + ".png";
+        dessiner("--image", dossier.resolve(nom).toString());
+        verifierFichiers(nom);
     }
 
     @Test
     void leNeantEstUneSortiePermise() throws IOException {
-        assumeTrue(Files.exists(Paths.get("/dev/null")), "pas de /dev/null ici");
-        dessiner("--image", lien("neant.png", Paths.get("/dev/null")).toString());
-        dessiner("--lineaire", lien("neant.pfm", Paths.get("/dev/null")).toString(), "--image", png.toString());
-        assertFalse(Files.isRegularFile(Paths.get("/dev/null")));
+        assumeTrue(Files.exists(Path.of("/dev/null")), "pas de /dev/null ici");
+        dessiner("--image", lien("neant.png", Path.of("/dev/null")).toString());
+        dessiner("--lineaire", lien("neant.pfm", Path.of("/dev/null")).toString(), "--image", png.toString());
+        assertFalse(Files.isRegularFile(Path.of("/dev/null")));
         verifierFichiers("image.png", "neant.pfm", "neant.png");
     }
 

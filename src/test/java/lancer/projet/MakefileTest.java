@@ -98,7 +98,7 @@ class MakefileTest extends EssaiProcessus {
         supposerUnix();
         Path bin = Files.createDirectories(dossier.resolve("mon dossier"));
         Files.copy(Path.of("outils/lancer.sh"), bin.resolve("lancer"));
-        Files.write(bin.resolve("lanceur"), "#!/bin/sh\necho \"$LC_ALL : $2\"\n".getBytes());
+        Files.writeString(bin.resolve("lanceur"), "#!/bin/sh\necho \"$LC_ALL : $2\"\n");
         assertTrue(bin.resolve("lanceur").toFile().setExecutable(true));
         Files.createSymbolicLink(dossier.resolve("lien"), bin.resolve("lancer"));
         for (String langue : new String[] {"C", "xx_YY.UTF-8"}) {
@@ -155,7 +155,7 @@ class MakefileTest extends EssaiProcessus {
 
     @Test
     void deuxJarsDemandesALaFoisSeConstruisentLUnApresLAutre() throws Exception {
-        Files.write(dossier.resolve("maven"), "mkdir verrou && sleep 0.3 && rmdir verrou && mkdir -p b/target c/target".getBytes());
+        Files.writeString(dossier.resolve("maven"), "mkdir verrou && sleep 0.3 && rmdir verrou && mkdir -p b/target c/target");
         assertEquals("", dire(make(copie(), "-j8", "MVN=sh maven", "VARIANTES=b c", "JAVA=true", "DISPLAY=:0")).replaceAll(
                 "Construction de .*\n?", ""));
     }
@@ -172,7 +172,7 @@ class MakefileTest extends EssaiProcessus {
         Files.createSymbolicLink(sources.resolve(".#Sphere.java"), Path.of("emacs@ici:1"));
         Path jar = dossier.resolve("target/lancer.jar");
         Files.createDirectories(jar.getParent());
-        Files.write(dossier.resolve("maven"), ("touch " + jar).getBytes());
+        Files.writeString(dossier.resolve("maven"), ("touch " + jar));
         assertTrue(jarRefait(), "pas de jar");
         for (Path fichier : List.of(pom, copie, sources, sources.getParent())) {
             dater(fichier, 0);

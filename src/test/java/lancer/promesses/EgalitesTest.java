@@ -66,7 +66,7 @@ class EgalitesTest {
 
     /** Un sol de ce rayon, une boule posée devant lui, et une lampe qui le rase. */
     private static Scene rasee(double rayon) {
-        return scene(Arrays.asList(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5), boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)),
+        return scene(List.of(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5), boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)),
                 new Lampe(new Point(-6, -0.999999, 12), new Couleur(1)));
     }
 
@@ -80,7 +80,7 @@ class EgalitesTest {
         for (double rayon : new double[] {5e3, 3e7, 9.9e7, 4e11}) {
             scenes.put("lampe qui rase un sol de rayon " + rayon, rasee(rayon));
         }
-        scenes.put("trois géantes", scene(Arrays.asList(boule(0, -9e7 - 1, 8, 9e7, 0.8, 0.3, 5), boule(-3e7 - 3, 0, 9, 3e7, 0.6, 0.5, 9),
+        scenes.put("trois géantes", scene(List.of(boule(0, -9e7 - 1, 8, 9e7, 0.8, 0.3, 5), boule(-3e7 - 3, 0, 9, 3e7, 0.6, 0.5, 9),
                 boule(0, 0, 6e7 + 20, 6e7, 0.7, 0.2, 3)), new Lampe(new Point(1, 2, 3), new Couleur(1))));
         scenes.forEach((nom, scene) -> {
             Ressources.Image attendue = imageRapide(scene, new CameraAgrandie(1), 5);
@@ -100,7 +100,7 @@ class EgalitesTest {
     /** Noire, au cœur d'une boule, ou sous le sol : une lampe que rien ne voit. */
     @Test
     void uneLampeInutileNeChangePasUnBit() {
-        List<Sphere> boules = Arrays.asList(boule(0, -1001.5, 8, 1000, 0.8, 0.2, 3), boule(0, 0, 6, 1, 0.5, 0.5, 40),
+        List<Sphere> boules = List.of(boule(0, -1001.5, 8, 1000, 0.8, 0.2, 3), boule(0, 0, 6, 1, 0.5, 0.5, 40),
                 boule(1.5, 0.3, 5, 0.5, 0.4, 0.6, 0), boule(-1.2, -0.4, 4, 0.7, 0.9, 0, 1));
         Lampe utile = new Lampe(new Point(-5, 8, -4), new Couleur(0.9, 0.8, 0.7));
         Ressources.Image sans = imageRapide(scene(boules, utile), CAMERA, 5);
@@ -133,7 +133,7 @@ class EgalitesTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 60})
     void aDistanceEgaleLaPremiereDuFichierEstVue(int foule) {
-        List<Sphere> ordre = new ArrayList<>(Arrays.asList(boule(0, 1, 6, 1, 0.9, 0, 1), boule(1, 0, 6, 1, 0.2, 0, 1)));
+        List<Sphere> ordre = new ArrayList<>(List.of(boule(0, 1, 6, 1, 0.9, 0, 1), boule(1, 0, 6, 1, 0.2, 0, 1)));
         for (int k = 0; k < foule; k++) {
             ordre.add(boule(k % 10 - 4.5, k / 10 - 2.7, 12, 0.2, 0.5, 0, 1));
         }

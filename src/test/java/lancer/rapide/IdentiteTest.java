@@ -125,7 +125,7 @@ class IdentiteTest {
         boule.setKd(new Couleur(0.8));
         bille.setKd(new Couleur(0.8));
         bille.setKs(new Couleur(0.3));
-        Scene scene = new Scene(Arrays.asList(boule, bille), List.of(new Lampe(new Point(0.8, 0, 4.4), new Couleur(1))));
+        Scene scene = new Scene(List.of(boule, bille), List.of(new Lampe(new Point(0.8, 0, 4.4), new Couleur(1))));
         Camera camera = new Camera(801, 601);
         Scene structuree = Structuree.scene(scene, camera);
         for (int k = 0; k < 2000; k++) {

@@ -8,8 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.stream.Stream;
+import java.util.List;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import org.junit.jupiter.api.Test;
@@ -29,8 +28,7 @@ class ModificationsTest {
     /** L'image que ce programme donne d'une petite scène. */
     private float[] dessiner(Essai.Isole programme, String... options) throws IOException {
         Path pfm = dossier.resolve("i.pfm");
-        String[] communes = {"--fils=1", "--taille=60x45", "--lineaire", pfm.toString(), "scenes/scene1.ini"};
-        Essai essai = programme.executer(Stream.concat(Arrays.stream(options), Arrays.stream(communes)).toArray(String[]::new));
+        Essai essai = programme.executer(Essai.suite(options, "--fils=1", "--taille=60x45", "--lineaire", pfm.toString(), "scenes/scene1.ini"));
         assertEquals(0, essai.code, essai.toString());
         return Essai.pfm(Files.readAllBytes(pfm));
     }
@@ -51,7 +49,7 @@ class ModificationsTest {
                 + "scene.getObjets().get(2); s.centre = new Point(1, s.centre.y, s.centre.z); Lancer lancer = new"})
     void ceQuUnEtudiantChangeSeVoitAussiParLaRecherche(String changements) throws IOException {
         float[] sansChangement;
-        try (Essai.Isole programme = new Essai.Isole(Collections.emptyList())) {
+        try (Essai.Isole programme = new Essai.Isole(List.of())) {
             sansChangement = dessiner(programme, "--simple");
         }
         String recherche = "rapide/Preparation|return boucles ? scene :|return|";

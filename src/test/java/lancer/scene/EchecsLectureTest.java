@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -52,11 +54,8 @@ class EchecsLectureTest extends EssaiProcessus {
     @Test
     void uneSceneQuiChangeOuDisparaitPendantQuOnLaLitNeDonnePasAutreChose() throws Exception {
         // un rayon d'un seul chiffre : coupé, il ne se lit plus, au lieu de se lire autre
-        StringBuilder texte = new StringBuilder();
-        for (int k = 0; k < 3000; k++) {
-            texte.append("[Sphere ").append(k).append("]\ncentre=").append(k).append(" 0 6\nrayon=5\n");
-        }
-        byte[] scene = texte.toString().getBytes(StandardCharsets.UTF_8);
+        byte[] scene = IntStream.range(0, 3000).mapToObj(k -> "[Sphere " + k + "]\ncentre=" + k + " 0 6\nrayon=5\n")
+                .collect(Collectors.joining()).getBytes(StandardCharsets.UTF_8);
         Path fichier = dossier.resolve("s.ini");
         Files.write(fichier, scene);
         AtomicBoolean fini = new AtomicBoolean();

@@ -149,7 +149,7 @@ class PlacesEcritesTest {
     private static final String BOULE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\n";
 
     private String fichier() throws IOException {
-        return new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+        return Files.readString(fichier);
     }
 
     @Test

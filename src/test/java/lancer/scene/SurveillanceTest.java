@@ -44,7 +44,7 @@ class SurveillanceTest {
 
     private void ecrire(String texte, int date) throws IOException {
         // d'un coup : de deux versions, deux seraient annoncées
-        Path neuf = Files.write(dossier.resolve("neuf"), texte.getBytes());
+        Path neuf = Files.writeString(dossier.resolve("neuf"), texte);
         Files.setLastModifiedTime(neuf, FileTime.from(date, TimeUnit.HOURS));
         Files.move(neuf, fichier, StandardCopyOption.ATOMIC_MOVE);
     }
@@ -80,7 +80,7 @@ class SurveillanceTest {
 
     @Test
     void unFichierQuiNEstPlusSuiviNeDitPlusRien() throws Exception {
-        Path autre = Files.write(dossier.resolve("autre.ini"), "deux".getBytes());
+        Path autre = Files.writeString(dossier.resolve("autre.ini"), "deux");
         veille.suivre(autre.toString());
         attendre(autre);
         ecrire("un", 2);

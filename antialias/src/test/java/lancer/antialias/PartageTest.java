@@ -52,7 +52,7 @@ class PartageTest {
     void aSeuilNulLImageEstCelleDuCoursAuBitPres() {
         Vue vue = (xe, ye) -> new Couleur(Math.sin(xe * xe), bord(xe, ye), Math.cos(7 * ye));
         for (int n : new int[] {1, 2, 3, 8}) {
-            assertEquals(Arrays.asList(pixels(new Coins(n, 0), PAVE, vue)), Arrays.asList(pixels(Antialias.partage(n, 0), PAVE, vue)));
+            assertEquals(List.of(pixels(new Coins(n, 0), PAVE, vue)), List.of(pixels(Antialias.partage(n, 0), PAVE, vue)));
             assertEquals(new Coins(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines,
                     Antialias.partage(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE).raffines, "raffinés");
         }
@@ -146,7 +146,7 @@ class PartageTest {
             boules[k].setKs(new Couleur(0.4));
             boules[k].setNs(50);
         }
-        Scene scene = new Scene(Arrays.asList(boules), List.of(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
+        Scene scene = new Scene(List.of(boules), List.of(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
         double[] image = new double[60 * 45];
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
         lancer.TracerImage((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);

@@ -35,14 +35,14 @@ class SecondRegardTest {
 
     /** Une boule d'un tiers de pixel dans le noir en chacun de ces points de l'écran. */
     private static Scene dansLeNoir(double[]... points) {
-        List<Objet3D> objets = new ArrayList<>(Arrays.asList(new Sphere(new Point(0, 0, 0), 1000)));
+        List<Objet3D> objets = new ArrayList<>(List.of(new Sphere(new Point(0, 0, 0), 1000)));
         for (double[] p : points) {
             Point ecran = new Camera(L, H).getEcran(p[0], p[1]);
             Sphere boule = new Sphere(new Point(ecran.x, ecran.y, 0.01), 0.35 * Constantes.ECHELLE / L);
             boule.setKd(new Couleur(1));
             objets.add(boule);
         }
-        return new Scene(objets, Arrays.asList(new Lampe(new Point(-4, 6, -3), new Couleur(3))));
+        return new Scene(objets, List.of(new Lampe(new Point(-4, 6, -3), new Couleur(3))));
     }
 
     /** Une boule au milieu de chacun des douze pavés, une sur deux entre les points que l'on regarde d'abord. */
@@ -107,7 +107,7 @@ class SecondRegardTest {
         assertEquals(L * H - 12, comptes.pixelsRaffines, 12, "tous les pavés sont cherchés");
         for (int fils : new int[] {2, 7}) {
             Lancer plusieurs = lancer(isolees());
-            assertEquals(Arrays.asList(image), Arrays.asList(dessiner(plusieurs, fils)));
+            assertEquals(List.of(image), List.of(dessiner(plusieurs, fils)));
             assertEquals(comptes.rayons(), plusieurs.getAtelier().getCompteurs().rayons());
             assertEquals(comptes.pixelsRaffines, plusieurs.getAtelier().getCompteurs().pixelsRaffines);
         }

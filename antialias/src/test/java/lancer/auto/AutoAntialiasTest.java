@@ -5,12 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,6 +27,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** {@code --auto} quand l'anticrénelage est là. */
 class AutoAntialiasTest {
+
+    private static final List<Path> SEULE = List.of(Essai.origine(Antialias.class));
 
     @TempDir
     Path dossier;
@@ -61,7 +60,7 @@ class AutoAntialiasTest {
         // sans la brume, que ce chemin des classes y installe
         Lancer prepare = Dessin.lancer(new Scene(lue.getObjets(), lue.getLampes()), 80, 50, false);
         List<Reglages> echelle = Echelle.de(Options.lire().pour(
-                Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
+                Map.of(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(10, echelle.size());
         Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, Integer.MAX_VALUE,
                 new SplittableRandom(1));
@@ -83,30 +82,21 @@ class AutoAntialiasTest {
 
     @Test
     void leChoixSeRefaitALaMain() throws IOException {
-        String[] communes = {"--taille=120x90", "--lineaire=" + dossier.resolve("auto.pfm"), "--auto=erreur=1"};
-        Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), avec(communes, scene.toString()));
+        Essai essai = Essai.executerAvec(SEULE, "--taille=120x90", "--lineaire=" + dossier.resolve("auto.pfm"), "--auto=erreur=1",
+                scene.toString());
         String choisi = rapport(essai).get("choisi");
         assertTrue(choisi.matches("\\[Antialias\\] n=\\d+ methode=\\w+ seuil=[0-9.]+, --reflets \\d+ --seuil [0-9.]+"), choisi);
         String[] moities = choisi.split(", ");
-        String section = moities[0].replace(" ", "\n");
-        Files.write(scene, ("\n" + section + "\n").getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
-        String[] options = moities[1].split(" ");
-        float[] alamain = Essai.dessinerAvec(Arrays.asList(Essai.origine(Antialias.class)), dossier, scene,
-                avec(options, "--taille=120x90"));
+        Files.writeString(scene, "\n" + moities[0].replace(" ", "\n") + "\n", StandardOpenOption.APPEND);
+        float[] alamain = Essai.dessinerAvec(SEULE, dossier, scene, Essai.suite(moities[1].split(" "), "--taille=120x90"));
         assertArrayEquals(alamain, Essai.pfm(Files.readAllBytes(dossier.resolve("auto.pfm"))));
-    }
-
-    private static String[] avec(String[] debut, String fin) {
-        String[] tout = Arrays.copyOf(debut, debut.length + 1);
-        tout[debut.length] = fin;
-        return tout;
     }
 
     @Test
     void laSectionDeLaSceneEstRespectee() throws IOException {
-        Files.write(scene, "\n[Antialias]\nn=2\nseuil=0\n".getBytes(StandardCharsets.UTF_8), StandardOpenOption.APPEND);
-        Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=120x90", "--auto=erreur=0.01",
-                "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
+        Files.writeString(scene, "\n[Antialias]\nn=2\nseuil=0\n", StandardOpenOption.APPEND);
+        Essai essai = Essai.executerAvec(SEULE, "--taille=120x90", "--auto=erreur=0.01", "--statistiques",
+                "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
         Map<String, String> rapport = rapport(essai);
         assertTrue(rapport.get("choisi").startsWith("l'échantillonnage de la scène, --reflets "), rapport.toString());
         assertEquals(4 * 120 * 90, essai.statistique("rayons.primaires"));

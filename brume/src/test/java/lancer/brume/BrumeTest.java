@@ -37,7 +37,7 @@ class BrumeTest {
         "p1-quatre.ini | p1-quatre.brume.pfm        |                      |         |       ",
         "p2-sol.ini    | p2-sol.brume-densite.pfm   | couleur=0.7 0.75 0.8 | debut=2 | densite=0.08"})
     void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String couleur, String debut, String loi) throws IOException {
-        List<String> lignes = new ArrayList<>(Arrays.asList(Essai.ressource(BrumeTest.class, "/reference/" + ini), "[Brume]"));
+        List<String> lignes = new ArrayList<>(List.of(Essai.ressource(BrumeTest.class, "/reference/" + ini), "[Brume]"));
         for (String ligne : Arrays.asList(couleur, debut, loi)) {
             lignes.add(ligne == null ? "" : ligne);
         }

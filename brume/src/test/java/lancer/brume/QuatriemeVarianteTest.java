@@ -81,7 +81,7 @@ class QuatriemeVarianteTest {
             ProcessBuilder sh = new ProcessBuilder("sh", "-e", "-c", bloc).directory(copie.toFile())
                     .redirectErrorStream(true).redirectOutput(sortie.toFile());
             // ni l'écran, ni les réglages du make qui lance ces tests ; et le même Java qu'eux
-            sh.environment().keySet().removeAll(Arrays.asList("DISPLAY", "MVN", "MAKEFLAGS", "MAKELEVEL", "MFLAGS"));
+            sh.environment().keySet().removeAll(List.of("DISPLAY", "MVN", "MAKEFLAGS", "MAKELEVEL", "MFLAGS"));
             String java = System.getProperty("java.home");
             sh.environment().put("JAVA_HOME", java);
             sh.environment().put("PATH", java + File.separator + "bin" + File.pathSeparator + System.getenv("PATH"));
@@ -154,7 +154,7 @@ class QuatriemeVarianteTest {
     @Test
     void sonModulePeutAussiApporterUneForme() throws Exception {
         Path essais = Essai.origine(Disque.class);
-        List<Path> nuit = Arrays.asList(copie.resolve("nuit/target/nuit.jar"), essais, essais.resolve("quatrieme"));
+        List<Path> nuit = List.of(copie.resolve("nuit/target/nuit.jar"), essais, essais.resolve("quatrieme"));
         String[] lignes = {"[Disque 1]", "centre=0.5 0 5", "normale=0 0 -1", "rayon=1", "Kd=1 1 1", "[Lampe 1]", "position=0 0 -10",
             "couleur=1 1 1", "[Nuit]", "portee=2.5"};
         Path scene = Essai.scene(dossier.resolve("disque.ini"), lignes);
@@ -191,7 +191,7 @@ class QuatriemeVarianteTest {
     @Test
     void deuxVariantesQuiVeulentLAirSontNommeesToutesDeux() throws Exception {
         Path image = dossier.resolve("nuit.pfm");
-        List<Path> classes = Arrays.asList(nuit().get(0), Essai.origine(Brume.class));
+        List<Path> classes = List.of(nuit().get(0), Essai.origine(Brume.class));
         Essai essai = Essai.executerAvec(classes, "--lineaire", image.toString(), boule());
         assertEquals("lancer : deux variantes veulent changer l'air : lancer.nuit.Nuit et lancer.brume.Brume ; attendu : "
                 + "une seule des deux dans le chemin des classes" + System.lineSeparator(), essai.erreur);

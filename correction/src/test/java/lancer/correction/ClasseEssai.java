@@ -13,7 +13,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -32,7 +31,7 @@ import org.apache.commons.csv.CSVRecord;
 /** De quoi noter des rendus d'essai, et relire ce que le programme en écrit. */
 public abstract class ClasseEssai {
 
-    public static final Path RENDUS = Paths.get("src", "test", "resources");
+    public static final Path RENDUS = Path.of("src", "test", "resources");
 
     /** Ce que le programme a dit. */
     static final class Essai {
@@ -81,7 +80,7 @@ public abstract class ClasseEssai {
     static String page(Path dossier, String id) throws IOException {
         try (Stream<Path> pages = Files.list(dossier.resolve("etudiants"))) {
             Path page = pages.filter(p -> p.endsWith(id + ".html")).findFirst().get();
-            return new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
+            return Files.readString(page);
         }
     }
 

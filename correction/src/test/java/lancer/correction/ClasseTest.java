@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -45,7 +43,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void chacunAUneLigneDansLOrdre() {
-        assertEquals(Arrays.asList("101", "102", "103", "104", "105", "106"), Arrays.asList(classe.keySet().toArray()));
+        assertEquals(List.of("101", "102", "103", "104", "105", "106"), List.of(classe.keySet().toArray()));
     }
 
     @Test
@@ -104,7 +102,7 @@ class ClasseTest extends ClasseEssai {
     }
 
     private static String index(Path dossier) throws IOException {
-        return new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
+        return Files.readString(dossier.resolve("index.html"));
     }
 
     @Test
@@ -138,7 +136,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void noterNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
         Path bareme = dossier.resolve("autre.ini");
-        Files.write(bareme, "[Barème]\nvecteurs=1\nimage=3\n".getBytes(StandardCharsets.UTF_8));
+        Files.writeString(bareme, "[Barème]\nvecteurs=1\nimage=3\n");
         renoter("--bareme", bareme);
         assertEquals(List.of("4.00", "4.00"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur")));
         assertEquals("1.00", classe(dossier).get("104").get("note"));
@@ -257,11 +255,11 @@ class ClasseTest extends ClasseEssai {
                 + prefixe + "104,Étudiant 4,x,3.00,10.00," + oui + ",hier,-,,Très bien !\n"
                 + prefixe + "105,Étudiant 5,x,,10.00," + non + ",hier,-,,\n"
                 + prefixe + "999,Étudiant absent,x,,10.00," + oui + ",,-,,\n";
-        Files.write(feuille, (entete + lignes).getBytes(StandardCharsets.UTF_8));
+        Files.writeString(feuille, (entete + lignes));
         Essai essai = renoter("--notes", feuille);
         contient(essai.erreur, "absents de la feuille, ou que Moodle y a verrouillés : Étudiant 1 (101), Étudiant 2 (102), "
                 + "Étudiant 3 (103), Étudiant 5 (105)\n");
-        String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), StandardCharsets.UTF_8);
+        String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"));
         assertEquals(entete.startsWith("\uFEFF"), ecrit.startsWith("\uFEFF"));
         List<org.apache.commons.csv.CSVRecord> avant = CSVParser.parse(entete + lignes, CSVFormat.DEFAULT).getRecords();
         List<org.apache.commons.csv.CSVRecord> apres = CSVParser.parse(ecrit, CSVFormat.DEFAULT).getRecords();
@@ -307,7 +305,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFeuilleDontUneColonneManqueEstRefuseeEnUnePhrase() throws IOException {
         Path feuille = dossier.resolve("fausse.csv");
-        Files.write(feuille, "Identifiant,Nom complet,Note\nParticipant101,x,\n".getBytes(StandardCharsets.UTF_8));
+        Files.writeString(feuille, "Identifiant,Nom complet,Note\nParticipant101,x,\n");
         Essai essai = executer("--sortie", dossier, "--notes", feuille, RENDUS.resolve("classe"));
         assertEquals(2, essai.code);
         assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);

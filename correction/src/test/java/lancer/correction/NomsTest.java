@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -25,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class NomsTest extends ClasseEssai {
 
-    private static final Path DOCUMENT = Paths.get("..", "docs", "confinement.md");
+    private static final Path DOCUMENT = Path.of("..", "docs", "confinement.md");
     private static final List<String> NOMS = List.of("x".repeat(252), "\u001b[2K\rcorrection : 9/9 forge\ncorrection : 9/9 forge : 20",
             "a;=cmd|' C calc'!A0;b", "é".repeat(20_000) + "_11_assignsubmission_file");
 
@@ -71,7 +70,7 @@ class NomsTest extends ClasseEssai {
     private String sansConfinement(Path bwrap) throws IOException, InterruptedException {
         Path rendu = Files.createDirectories(dossier.resolve("rendu/src/lancer"));
         Files.writeString(rendu.resolve("Vecteur.java"), "package lancer; class Vecteur { }");
-        ProcessBuilder programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+        ProcessBuilder programme = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), "-Dfile.encoding=UTF-8", Correction.class.getName(), "--sortie",
                 dossier.resolve("pages").toString(), dossier.resolve("rendu").toString());
         programme.environment().put("PATH", bwrap.toString());

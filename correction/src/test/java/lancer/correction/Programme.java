@@ -79,7 +79,7 @@ final class Programme {
 
     /** La ligne où commence la méthode qui contient cette ligne-ci. */
     String methode(String classe, int ligne) {
-        List<String> lignes = Arrays.asList(sources.get("lancer/" + classe).split("\n")).subList(0, ligne);
+        List<String> lignes = List.of(sources.get("lancer/" + classe).split("\n")).subList(0, ligne);
         return lignes.stream().filter(l -> l.matches("    (public|private|static).*\\{")).reduce("", (avant, apres) -> apres);
     }
 

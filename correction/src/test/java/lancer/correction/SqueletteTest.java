@@ -21,7 +21,6 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -70,13 +69,13 @@ class SqueletteTest extends ClasseEssai {
     }
 
     private static String ini4j() throws URISyntaxException {
-        return Paths.get(Ini.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
+        return Path.of(Ini.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
     }
 
     /** Ce que dessine le programme d'un projet, dans cette machine virtuelle. */
     private BufferedImage dessiner(Path classes, Path scene) throws Exception {
         Path image = dossier.resolve("image.png");
-        URL[] chemin = {classes.toUri().toURL(), Paths.get(ini4j()).toUri().toURL()};
+        URL[] chemin = {classes.toUri().toURL(), Path.of(ini4j()).toUri().toURL()};
         try (URLClassLoader chargeur = new URLClassLoader(chemin, ClassLoader.getPlatformClassLoader())) {
             chargeur.loadClass("lancer.Main").getMethod("main", String[].class).invoke(null,
                     (Object) new String[] {scene.toString(), image.toString()});
@@ -104,7 +103,7 @@ class SqueletteTest extends ClasseEssai {
 
     /** Le statut du programme d'un projet lancé dans ce dossier, et l'unique ligne qu'il dit, s'il en dit une. */
     private String main(Path ici, String... arguments) throws Exception {
-        List<String> commande = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+        List<String> commande = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Djava.awt.headless=true", "-cp", dossier.resolve("classes") + File.pathSeparator + ini4j(), "lancer.Main"));
         commande.addAll(List.of(arguments));
         Process main = new ProcessBuilder(commande).directory(ici.toFile()).redirectErrorStream(true).start();
@@ -152,7 +151,7 @@ class SqueletteTest extends ClasseEssai {
         int aFaire = 0;
         try (Stream<Path> flux = Files.walk(projet)) {
             for (Path fichier : flux.filter(Files::isRegularFile).collect(Collectors.toList())) {
-                String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+                String texte = Files.readString(fichier);
                 aFaire += texte.split("// FIXME ", -1).length - 1;
                 assertTrue(!texte.contains("//{") && !texte.contains("//=") && !texte.contains("lancer.rapide"), fichier.toString());
             }
@@ -206,7 +205,7 @@ class SqueletteTest extends ClasseEssai {
     }
 
     private static String make(Path projet, String... arguments) throws IOException, InterruptedException {
-        assumeTrue(Files.isExecutable(Paths.get("/usr/bin/make")) && Files.isExecutable(Paths.get("/usr/bin/mvn")), "ni make ni Maven ici");
+        assumeTrue(Files.isExecutable(Path.of("/usr/bin/make")) && Files.isExecutable(Path.of("/usr/bin/mvn")), "ni make ni Maven ici");
         List<String> commande = new ArrayList<>(List.of("make", "-s"));
         commande.addAll(List.of(arguments));
         ProcessBuilder make = new ProcessBuilder(commande).directory(projet.toFile()).redirectErrorStream(true);
@@ -251,7 +250,7 @@ class SqueletteTest extends ClasseEssai {
         executer("--squelette", projet);
         SourcesDuCours.A_COMPLETER.forEach(classe -> completer(projet, classe));
         // un verrou d'Emacs, qui ne mène nulle part, et une copie de l'Explorateur, dont le nom a des blancs, n'arrêtent pas make
-        Files.createSymbolicLink(projet.resolve(LANCER + ".#Sphere.java"), Paths.get("emacs@ici:1"));
+        Files.createSymbolicLink(projet.resolve(LANCER + ".#Sphere.java"), Path.of("emacs@ici:1"));
         Files.copy(projet.resolve(LANCER + "Sphere.java"), projet.resolve(LANCER + "Sphere - Copie.java"));
         assertEquals("statut 0", make(projet, "target/lancer-base.jar", "MVN=mkdir -p target; true"));
         // une étape juste ne doit rien à celle d'avant qui ne finit pas ; ni Maven ni la pile n'en disent plus
@@ -299,6 +298,6 @@ class SqueletteTest extends ClasseEssai {
         Essai essai = executer("--squelette", dossier);
         assertEquals(2, essai.code);
         contient(essai.erreur, "n'est pas vide");
-        assertEquals(new ArrayList<>(List.of("travail.txt")), Arrays.asList(dossier.toFile().list()));
+        assertEquals(new ArrayList<>(List.of("travail.txt")), List.of(dossier.toFile().list()));
     }
 }

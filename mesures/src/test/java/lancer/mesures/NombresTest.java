@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -34,10 +35,10 @@ class NombresTest {
     void unFichierEstLuCommeIlEstEcritEtRefuseSIlNEstPasRegulier(@TempDir Path dossier) throws IOException {
         Path csv = dossier.resolve("a.csv");
         assertEquals(0, FichierCsv.lire(csv).size());
-        Files.write(csv, Arrays.asList("nom,x", FichierCsv.ligne("partage n=8", Nombres.champ(0.5)), FichierCsv.ligne("", "")));
+        Files.write(csv, List.of("nom,x", FichierCsv.ligne("partage n=8", Nombres.champ(0.5)), FichierCsv.ligne("", "")));
         assertEquals("[partage n=8, 0.50000]", Arrays.toString(FichierCsv.lire(csv).get(0)));
         assertEquals(Double.NaN, Nombres.champ(FichierCsv.lire(csv).get(1)[1]));
-        Files.write(csv, Arrays.asList("nom,x", "seul"));
+        Files.write(csv, List.of("nom,x", "seul"));
         assertThrows(IOException.class, () -> FichierCsv.lire(csv));
         assertThrows(IllegalArgumentException.class, () -> FichierCsv.ligne("a,b"));
     }

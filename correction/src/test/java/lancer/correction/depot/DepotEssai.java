@@ -3,7 +3,6 @@ package lancer.correction.depot;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,7 +30,7 @@ abstract class DepotEssai {
 
     static void ecrire(Path fichier, String texte) throws IOException {
         Files.createDirectories(fichier.getParent());
-        Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
+        Files.writeString(fichier, texte);
     }
 
     static List<Rendu> classe(Path lieu) {

@@ -14,7 +14,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Paths;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -56,7 +56,7 @@ class EnfantTest {
 
     private static Enfant echo(Confinement confinement) throws Exception {
         String classes = new File(Echo.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
-        Enfant enfant = new Enfant(confinement.java(Echo.class, classes, true, Paths.get("target"), LIMITES), LIMITES, confinement.confine);
+        Enfant enfant = new Enfant(confinement.java(Echo.class, classes, true, Path.of("target"), LIMITES), LIMITES, confinement.confine);
         enfant.commencer(LIMITES.calcul);
         return enfant;
     }
@@ -153,7 +153,7 @@ class EnfantTest {
 
     private static String lire(ProcessHandle processus, String quoi) {
         try {
-            return Files.readString(Paths.get("/proc", "" + processus.pid(), quoi), StandardCharsets.ISO_8859_1);
+            return Files.readString(Path.of("/proc", "" + processus.pid(), quoi), StandardCharsets.ISO_8859_1);
         } catch (IOException e) {
             return "";
         }
@@ -170,8 +170,8 @@ class EnfantTest {
     private static String confine(String... dedans) throws Exception {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine && new File(dedans[0]).canExecute(), confinement.manque);
-        String archive = Paths.get("pom.xml").toAbsolutePath().toString();
-        List<String> java = confinement.java(Echo.class, archive, false, Paths.get("target"), LIMITES);
+        String archive = Path.of("pom.xml").toAbsolutePath().toString();
+        List<String> java = confinement.java(Echo.class, archive, false, Path.of("target"), LIMITES);
         List<String> commande = new ArrayList<>(java.subList(0, java.lastIndexOf(System.getProperty("java.home") + "/bin/java")));
         commande.addAll(List.of(dedans));
         Process processus = new ProcessBuilder(commande).redirectErrorStream(true).start();

@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -46,13 +45,13 @@ abstract class JuryEssai extends ClasseEssai {
     static Path ecrireCorrige(Path rendu) throws IOException {
         Path sources = sources(rendu);
         for (String classe : SourcesDuCours.A_COMPLETER) {
-            Files.write(sources.resolve(classe + ".java"), SourcesDuCours.corrige(classe).getBytes(StandardCharsets.UTF_8));
+            Files.writeString(sources.resolve(classe + ".java"), SourcesDuCours.corrige(classe));
         }
         return sources;
     }
 
     static void ecrire(Path dossier, String classe, String texte) throws IOException {
-        Files.write(dossier.resolve(classe + ".java"), texte.getBytes(StandardCharsets.UTF_8));
+        Files.writeString(dossier.resolve(classe + ".java"), texte);
     }
 
     /** Un rendu dont la seule classe est un Vecteur achevé, et dont la soustraction fait d'abord ceci. */

@@ -66,11 +66,11 @@ public final class Reponses {
         Scene scene = new Scene("scenes/scene1.ini");
         valeurs.put("miroir", String.format(Locale.FRANCE, "%.0e", rang(1, scene, Reponses::ecartDuMiroir))
                 .replaceFirst("e-0?(\\d+)", " · 10<sup>−$1</sup>"));
-        for (String nom : Arrays.asList("diffus", "brume")) {
+        for (String nom : List.of("diffus", "brume")) {
             Scene vue = new Scene("scenes/" + nom + ".ini");
             valeurs.put(nom + ".distance", nombre(rang(0.5, vue, (rayon, contact) -> contact.distance)));
         }
-        for (int n : Arrays.asList(32, 128)) {
+        for (int n : List.of(32, 128)) {
             double angle = Math.toDegrees(Math.acos(Math.pow(0.5, 1.0 / n)));
             valeurs.put("phong." + n, nombre(angle));
             valeurs.put("blinn." + n, nombre(2 * angle));
@@ -129,7 +129,7 @@ public final class Reponses {
 
     /** La scène des étapes : un sol, une sphère, et une autre qui l'ombre et s'y reflète. */
     private static Scene scene() {
-        List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
+        List<Sphere> boules = List.of(new Sphere(new Point(0.35, 0, 7), 1.1),
                 new Sphere(new Point(-1.3, -0.35, 5.8), 0.5), new Sphere(new Point(0, -1001.1, 7), 1000));
         Couleur[] Kd = {new Couleur(0.75, 0.12, 0.1), new Couleur(0.1, 0.3, 0.75), new Couleur(0.6, 0.55, 0.45)};
         for (int k = 0; k < boules.size(); k++) {
@@ -137,7 +137,7 @@ public final class Reponses {
             boules.get(k).setKs(new Couleur(k == 2 ? 0.1 : 0.35));
             boules.get(k).setNs(60);
         }
-        return new Scene(boules, Arrays.asList(new Lampe(new Point(-5, 5, -1), new Couleur(0.9)),
+        return new Scene(boules, List.of(new Lampe(new Point(-5, 5, -1), new Couleur(0.9)),
                 new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 /** L'apparence des figures. */
 class PlancheTest {
 
-    private static final List<Volet.Point> POINTS = Arrays.asList(
+    private static final List<Volet.Point> POINTS = List.of(
             new Volet.Point(1, new Intervalle(10, 8, 12), "le nom"),
             new Volet.Point(10, 1), new Volet.Point(100, 0.4));
 
@@ -24,7 +24,7 @@ class PlancheTest {
     @Test
     void desVoletsEnRangeesMontrentChaqueSerieDansSaCouleurEtLeRepere() {
         Volet volet = new Volet("Un titre", "x", "y").serie("une", true, POINTS).serie("autre", true,
-                Arrays.asList(new Volet.Point(2, 0.5), new Volet.Point(50, 8))).repere(5, "5");
+                List.of(new Volet.Point(2, 0.5), new Volet.Point(50, 8))).repere(5, "5");
         BufferedImage planche = new Planche(2, 500).volet(volet).volet(volet).volet(volet).dessiner();
         assertEquals(Planche.LARGEUR, planche.getWidth());
         assertEquals(1000, planche.getHeight());
@@ -37,7 +37,7 @@ class PlancheTest {
     void desAxesOrdinairesContiennentZeroEtDesVoletsVoisinsOntLesMemes() {
         Volet grand = new Volet("", "x", "y").xOrdinaire().yOrdinaire().serie("une", false, POINTS);
         Volet petit = new Volet("", "x", "y").xOrdinaire().yOrdinaire().serie("une", false, POINTS.subList(0, 2));
-        Volet.memesAxes(Arrays.asList(grand, petit));
+        Volet.memesAxes(List.of(grand, petit));
         assertEquals(0, petit.graphique().getXYPlot().getDomainAxis().getLowerBound());
         assertTrue(petit.graphique().getXYPlot().getDomainAxis().getUpperBound() >= 100);
     }

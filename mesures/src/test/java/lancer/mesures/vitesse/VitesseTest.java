@@ -55,7 +55,7 @@ class VitesseTest {
     static List<String> programme(Reglage reglage) {
         String sans = Stream.of("Brume", "Antialias", "Blinn").filter(v -> !v.equalsIgnoreCase(reglage.module))
                 .collect(Collectors.joining(","));
-        return Arrays.asList("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=" + sans);
+        return List.of("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=" + sans);
     }
 
     private Mesureur mesureur() {
