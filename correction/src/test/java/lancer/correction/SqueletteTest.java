@@ -151,7 +151,7 @@ class SqueletteTest extends ClasseEssai {
         int aFaire = 0;
         try (Stream<Path> flux = Files.walk(projet)) {
             for (Path fichier : flux.filter(Files::isRegularFile).collect(Collectors.toList())) {
-                String texte = Files.readString(fichier);
+                String texte = Files.readString(fichier, StandardCharsets.ISO_8859_1);
                 aFaire += texte.split("// FIXME ", -1).length - 1;
                 assertTrue(!texte.contains("//{") && !texte.contains("//=") && !texte.contains("lancer.rapide"), fichier.toString());
             }

@@ -3,7 +3,6 @@ package lancer.correction.depot;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.ByteBuffer;
@@ -11,6 +10,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -18,8 +18,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.zip.ZipEntry;
-import java.util.zip.ZipOutputStream;
 import lancer.correction.ClasseEssai;
 import lancer.correction.Panne;
 import org.junit.jupiter.api.Assertions;
@@ -32,7 +30,7 @@ class DepotTest extends DepotEssai {
 
     @Test
     void lesDeuxFormesDeDossiersDeMoodleEtLesFichiersAPlatSeLisent() throws IOException {
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/src/main/java/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendu.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
         ecrire(rendus.resolve("Étudiant 1_12_assignsubmission_file_/lancer/Vecteur.java"), CLASSE);
         ecrire(rendus.resolve("Participant_13_assignsubmission_file_Vecteur.java"), CLASSE);
         ecrire(rendus.resolve("Étudiant 3_14_assignsubmission_onlinetext/onlinetext.html"), "bonjour");
@@ -146,7 +144,6 @@ class DepotTest extends DepotEssai {
 
     @Test
     void ceQuiNEstPasLuNeCompteEtUnDossierQuiADesSourcesSeLit() throws IOException {
-        Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         ecrire(rendu.resolve("out/lancer/Vecteur.java"), CLASSE);
         ecrire(rendu.resolve("build/lancer/Point.java"), CLASSE);
         ecrire(rendu.resolve("target/classes/lancer/Vecteur.class"), "x");
@@ -160,25 +157,13 @@ class DepotTest extends DepotEssai {
 
     @Test
     void ceQuiEstRefuseEstNommeEtLaLigneReste() throws IOException {
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp.rar"), "Rar!");
+        ecrire(rendu.resolve("tp.rar"), "Rar!");
         ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/tp.7z"), "7z");
         ecrire(rendus.resolve("Étudiant 3_13_assignsubmission_file/tp.zip"), "ceci n'est pas une archive");
-        Files.createDirectories(rendus.resolve("Étudiant 4_14_assignsubmission_file"));
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(
-                rendus.resolve("Étudiant 4_14_assignsubmission_file/tp.zip")))) {
-            zip.putNextEntry(new ZipEntry("../../evade.java"));
-            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
-        }
+        Path evade = Files.createDirectories(rendus.resolve("Étudiant 4_14_assignsubmission_file")).resolve("tp.zip");
+        Files.write(evade, zip(Map.of("../../evade.java", octets(CLASSE))));
         Path gros = Files.createDirectories(rendus.resolve("Étudiant 5_15_assignsubmission_file")).resolve("bombe.zip");
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(gros))) {
-            zip.putNextEntry(new ZipEntry("lancer/Vecteur.java"));
-            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
-            zip.putNextEntry(new ZipEntry("zeros.zip"));
-            byte[] mega = new byte[1 << 20];
-            for (int k = 0; k < 60; k++) {
-                zip.write(mega);
-            }
-        }
+        Files.write(gros, zip(Map.of("lancer/Vecteur.java", octets(CLASSE), "zeros.zip", new byte[60 << 20])));
         Path secret = dossier.resolve("secret.java");
         ecrire(secret, CLASSE);
         Files.createDirectories(rendus.resolve("Étudiant 6_16_assignsubmission_file"));
@@ -199,15 +184,11 @@ class DepotTest extends DepotEssai {
 
     @Test
     void dUnNomQuiCommenceParUnPointOuParLaRacineResteLeChemin() throws IOException {
-        Path classe = dossier.resolve("classe.zip");
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(classe))) {
-            for (String nom : List.of("./", "./Dupont/", "./Dupont/./lancer/Vecteur.java", "/Durand/lancer/Vecteur.java",
-                    "C:\\Roux\\lancer\\Vecteur.java")) {
-                zip.putNextEntry(new ZipEntry(nom));
-                zip.write(nom.endsWith("/") ? new byte[0] : CLASSE.getBytes(StandardCharsets.UTF_8));
-            }
+        Map<String, byte[]> entrees = new LinkedHashMap<>(Map.of("./", new byte[0], "./Dupont/", new byte[0]));
+        for (String nom : List.of("./Dupont/./lancer/Vecteur.java", "/Durand/lancer/Vecteur.java", "C:\\Roux\\lancer\\Vecteur.java")) {
+            entrees.put(nom, octets(CLASSE));
         }
-        Map<String, Rendu> lus = lire(classe);
+        Map<String, Rendu> lus = lire(Files.write(dossier.resolve("classe.zip"), zip(entrees)));
         assertEquals(Set.of("Dupont", "Durand", "Roux"), lus.keySet());
         lus.values().forEach(r -> assertEquals(Set.of("lancer/Vecteur.java"), r.sources.keySet(), r.nom));
         assertEquals(List.of(), lus.get("Dupont").refus);
@@ -223,9 +204,9 @@ class DepotTest extends DepotEssai {
     @Test
     void ceQuiResteADeplierEstARegarderMemeACoteDeSources() throws IOException {
         for (String nom : List.of("tp.7z", "TP.RAR", "tp.tar.gz", "tp.tgz", "tp.7z.001", "tp.zip.002", "tp.tar.zst")) {
-            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/" + nom), "x");
+            ecrire(rendu.resolve("" + nom), "x");
         }
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendu.resolve("lancer/Vecteur.java"), CLASSE);
         Rendu rendu = lire(rendus).get("11");
         assertEquals(7, rendu.refus.stream().filter(r -> r.contains(" : à déplier à la main")).count(), rendu.refus.toString());
         assertEquals("[lancer/Vecteur]", projet(rendu).base.keySet().toString());
@@ -234,16 +215,12 @@ class DepotTest extends DepotEssai {
 
     @Test
     void beaucoupDeFichiersEnToutNeSontPasTropPourUneClasse() throws IOException {
-        Path moodle = dossier.resolve("moodle.zip");
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(moodle))) {
-            for (int k = 0; k < 20_001; k++) {
-                zip.putNextEntry(new ZipEntry("Étudiant_" + (7 + k % 2) + "_assignsubmission_file/.git/" + k));
-            }
-            zip.putNextEntry(new ZipEntry("Étudiant_7_assignsubmission_file/lancer/Vecteur.java"));
-            zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
+        Map<String, byte[]> entrees = new LinkedHashMap<>();
+        for (int k = 0; k < 20_001; k++) {
+            entrees.put("Étudiant_" + (7 + k % 2) + "_assignsubmission_file/.git/" + k, new byte[0]);
         }
-        Map<String, Rendu> lus = lire(moodle);
-        verifier(lus.get("7"), "Étudiant");
+        entrees.put("Étudiant_7_assignsubmission_file/lancer/Vecteur.java", octets(CLASSE));
+        verifier(lire(Files.write(dossier.resolve("moodle.zip"), zip(entrees))).get("7"), "Étudiant");
     }
 
     @Test
@@ -270,19 +247,8 @@ class DepotTest extends DepotEssai {
         }
     }
 
-    private static byte[] zip(Map<String, byte[]> entrees) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        try (ZipOutputStream zip = new ZipOutputStream(octets)) {
-            for (Map.Entry<String, byte[]> entree : entrees.entrySet()) {
-                zip.putNextEntry(new ZipEntry(entree.getKey()));
-                zip.write(entree.getValue());
-            }
-        }
-        return octets.toByteArray();
-    }
-
     private Rendu deposer(String nom, byte[] archive) throws IOException {
-        Files.write(Files.createDirectories(rendus.resolve("Étudiant 1_11_assignsubmission_file")).resolve(nom), archive);
+        Files.write(Files.createDirectories(rendu).resolve(nom), archive);
         return lire(rendus).get("11");
     }
 
@@ -290,7 +256,7 @@ class DepotTest extends DepotEssai {
     @ParameterizedTest
     @CsvSource({"95, XZ", "93, ZSTD", "14, LZMA", "98, PPMD", "177, 177"})
     void uneCompressionQuiNEstPasLueEstNommeeUneFois(int methode, String nom) throws IOException {
-        byte[] archive = zip(Map.of("лучи/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8), "лучи/Point.java", new byte[9]));
+        byte[] archive = zip(Map.of("лучи/Vecteur.java", octets(CLASSE), "лучи/Point.java", new byte[9]));
         ByteBuffer octets = ByteBuffer.wrap(archive).order(ByteOrder.LITTLE_ENDIAN);
         for (int k = 0; k < archive.length - 4; k++) {
             int decalage = octets.getInt(k) == 0x04034b50 ? 8 : octets.getInt(k) == 0x02014b50 ? 10 : 0;
@@ -308,7 +274,7 @@ class DepotTest extends DepotEssai {
         for (int k = 0; k < 4_000; k++) {
             entrees.put("aé/".repeat(240) + k, new byte[0]);
         }
-        entrees.put("lancer/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8));
+        entrees.put("lancer/Vecteur.java", octets(CLASSE));
         assertEquals(1, deposer("tp.zip", zip(Map.of("dedans.zip", zip(entrees)))).sources.size());
         entrees.clear();
         for (int k = 0; k < 25_000; k++) {
@@ -317,7 +283,7 @@ class DepotTest extends DepotEssai {
         for (int k = 0; k < 60; k++) {
             entrees.put("x".repeat(60_000) + k, new byte[0]);
         }
-        entrees.put("lancer/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8));
+        entrees.put("lancer/Vecteur.java", octets(CLASSE));
         Rendu rendu = deposer("tp.zip", zip(entrees));
         assertEquals(List.of(), rendu.refus, "ce que des outils ajoutent ne compte pas");
         assertEquals(1, rendu.sources.size());
@@ -336,11 +302,10 @@ class DepotTest extends DepotEssai {
 
     @Test
     void deDeuxFichiersDeMemeCheminUnSeulEstLuEtCEstDit() throws IOException {
-        Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         ecrire(rendu.resolve("проект/Vecteur.java"), CLASSE);
         ecrire(rendu.resolve("проект/Point.java"), "la même");
-        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", "autre".getBytes(StandardCharsets.UTF_8), "Point.java",
-                "la même".getBytes(StandardCharsets.UTF_8))));
+        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", octets("autre"), "Point.java",
+                octets("la même"))));
         assertEquals(CLASSE, new String(lu.sources.get("проект/Vecteur.java"), StandardCharsets.UTF_8));
         assertEquals(List.of("проект/Vecteur.java : laissé de côté, un autre fichier a ce chemin, dans ce dossier ou dans une archive"),
                 lu.refus);
@@ -350,7 +315,7 @@ class DepotTest extends DepotEssai {
     void desFichiersVidesNOntPasDeNoteEtSontNommes() throws IOException {
         byte[] lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12\n".getBytes(StandardCharsets.UTF_8);
         Rendu vide = deposer("tp.zip", zip(Map.of("a/Vecteur.java", new byte[0], "a/Point.java", new byte[300], "a/Rayon.java",
-                " \n".getBytes(StandardCharsets.UTF_8), "a/Sphere.java", lfs, "src/test/java/lancer/Tests.java", new byte[] {'x'})));
+                octets(" \n"), "a/Sphere.java", lfs, "src/test/java/lancer/Tests.java", new byte[] {'x'})));
         assertEquals(List.of("un renvoi de Git LFS, sans le texte : Sphere ; des fichiers vides : Point, Rayon, Vecteur"), vide.refus);
         assertEquals(Map.of(), vide.sources);
         ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
@@ -368,7 +333,7 @@ class DepotTest extends DepotEssai {
             assertTrue(rendu.refus.get(0).startsWith("tp.zip : c'est une archive " + une[1] + ", malgré son nom ; à déplier à la main"),
                     rendu.refus.toString());
         }
-        Files.delete(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp.zip"));
+        Files.delete(rendu.resolve("tp.zip"));
         assertEquals(List.of("aucun fichier .java dans ce rendu ; tp.jar, qui en a 2, est à renommer en .zip"),
                 deposer("tp.jar", zip(Map.of("A.java", new byte[9], "B.java", new byte[9]))).refus);
     }
@@ -377,9 +342,9 @@ class DepotTest extends DepotEssai {
     void lesSourcesDUneBibliothequeSontLaisseesEtNommees() throws IOException {
         Map<String, byte[]> bibliotheque = new TreeMap<>();
         for (int k = 0; k < 2500; k++) {
-            bibliotheque.put("org/C" + k + ".java", ("package org; class C" + k + " { }").getBytes(StandardCharsets.UTF_8));
+            bibliotheque.put("org/C" + k + ".java", octets("package org; class C" + k + " { }"));
         }
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendu.resolve("tp/lancer/Vecteur.java"), CLASSE);
         Rendu rendu = deposer("src.zip", zip(bibliotheque));
         Projet lu = projet(rendu);
         assertEquals(List.of("src/org : laissé de côté, 2201 fichiers au-delà de 300, ou de 6 Mo de sources : une bibliothèque ?"),
