@@ -1,5 +1,7 @@
 package lancer.essai;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -154,6 +156,13 @@ public final class Essai {
     /** Ce qui est sur la sortie d'erreur, moins les formes qui finissent la liste des types de section, celle-ci exceptée. */
     public String sansAutresFormes(String forme) {
         return erreur.replaceAll(", Blinn(?:, (?!" + forme + "\\b)\\w+)*(, " + forme + ")?(?:, \\w+)*", ", Blinn$1");
+    }
+
+    /** Le programme a rendu ce statut, et n'a dit que cette ligne. */
+    public void exigerRefus(int statut, String message) {
+        assertEquals("lancer : " + message + System.lineSeparator(), erreur);
+        assertEquals(statut, code);
+        assertEquals("", sortie);
     }
 
     /** De quoi comprendre un essai qui échoue. */

@@ -55,9 +55,7 @@ public abstract class EssaiCommande {
     }
 
     protected static void verifierRefus(int statut, String message, Essai e) {
-        assertEquals("lancer : " + message + System.lineSeparator(), e.erreur);
-        assertEquals(statut, e.code);
-        assertEquals("", e.sortie);
+        e.exigerRefus(statut, message);
     }
 
     protected void verifierFichiers(String... noms) {

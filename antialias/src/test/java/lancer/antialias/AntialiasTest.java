@@ -19,6 +19,7 @@ import lancer.brume.Brume;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
+import lancer.essai.EssaiVariante;
 import lancer.inspection.EssaiSegments;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
@@ -26,26 +27,14 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** La variante par la ligne de commande, seule ou avec les deux autres. */
-class AntialiasTest {
+class AntialiasTest extends EssaiVariante {
 
     private static final List<Path> SEULE = List.of(Essai.origine(Antialias.class));
-
-    @TempDir
-    Path dossier;
-
-    private Path scene(String... lignes) throws IOException {
-        return Essai.scene(dossier.resolve("scene.ini"), lignes);
-    }
-
-    private static String ini(String nom) throws IOException {
-        return Essai.ressource(AntialiasTest.class, "/reference/" + nom);
-    }
 
     @Tag("reference")
     @ParameterizedTest
@@ -63,11 +52,11 @@ class AntialiasTest {
                 "debut=3", "fin=40");
         List<Path> toutes = new ArrayList<>(List.of(Essai.origine(Antialias.class), Essai.origine(Brume.class),
                 Essai.origine(Blinn.class)));
-        Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
-        Essai.verifierReference("p2-sol.tout.pfm", dossier);
-        Collections.reverse(toutes);
-        Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
-        Essai.verifierReference("p2-sol.tout.pfm", dossier);
+        for (int ordre = 0; ordre < 2; ordre++) {
+            Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
+            Essai.verifierReference("p2-sol.tout.pfm", dossier);
+            Collections.reverse(toutes);
+        }
     }
 
     @ParameterizedTest
@@ -159,10 +148,7 @@ class AntialiasTest {
         "methode=       | methode | méthode inconnue : «  » ; attendu : coins ou partage",
         "rayons=9     | rayons | clé inconnue ; attendu : n, seuil, methode"})
     void uneValeurImpossibleEstRefuseeEnUneLigne(String ligne, String cle, String faute) throws IOException {
-        Path scene = scene("[Antialias]", ligne);
-        Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
-        assertEquals("lancer : " + scene + ", ligne 2, [Antialias], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
+        verifierRefus("ligne 2, [Antialias], " + cle + " : " + faute, "[Antialias]", ligne);
     }
 
     @Test

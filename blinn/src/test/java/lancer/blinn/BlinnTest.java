@@ -5,37 +5,27 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
+import lancer.essai.EssaiVariante;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class BlinnTest {
+class BlinnTest extends EssaiVariante {
 
     private static final double PRECISION = 1e-6;
-
-    @TempDir
-    Path dossier;
-
-    private Path scene(String... lignes) throws IOException {
-        return Essai.scene(dossier.resolve("scene.ini"), lignes);
-    }
 
     @Tag("reference")
     @ParameterizedTest
     @CsvSource({"p1-quatre.ini, p1-quatre.blinn.pfm, [Blinn], facteur=1", "p1-quatre.ini, p1-quatre.blinn.pfm, [Blinn], ''",
         "p1-quatre.ini, p1-quatre.blinn.pfm, '', ''", "p2-sol.ini, p2-sol.blinn-2.pfm, [Blinn], facteur=2"})
     void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String section, String facteur) throws IOException {
-        Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/" + ini), section, facteur);
-        Essai.dessiner(dossier, scene, "--taille", "120x90", "--seuil", "0");
-        Essai.verifierReference(pfm, dossier);
+        verifierReference(pfm, ini, section, facteur);
     }
 
     @Test
@@ -120,10 +110,7 @@ class BlinnTest {
         "facteur=1 2  | facteur | 2 nombres au lieu de 1 : « 1 2 » ; attendu : un nombre plus grand que 0",
         "ns=10        | ns | clé inconnue ; attendu : facteur"})
     void uneValeurImpossibleEstRefuseeEnUneLigne(String ligne, String cle, String faute) throws IOException {
-        Path scene = scene("[Blinn]", ligne);
-        Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
-        assertEquals("lancer : " + scene + ", ligne 2, [Blinn], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
+        verifierRefus("ligne 2, [Blinn], " + cle + " : " + faute, "[Blinn]", ligne);
     }
 
     @Test

@@ -5,52 +5,31 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
+import lancer.essai.EssaiVariante;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class BrumeTest {
+class BrumeTest extends EssaiVariante {
 
     private static final double PRECISION = 1e-6;
-
-    @TempDir
-    Path dossier;
-
-    private Path scene(String... lignes) throws IOException {
-        return Essai.scene(dossier.resolve("scene.ini"), lignes);
-    }
 
     @Tag("reference")
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "p1-quatre.ini | p1-quatre.brume.pfm        | couleur=0.8 0.8 0.8  | debut=0 | fin=30",
-        "p1-quatre.ini | p1-quatre.brume.pfm        |                      |         |       ",
-        "p2-sol.ini    | p2-sol.brume-densite.pfm   | couleur=0.7 0.75 0.8 | debut=2 | densite=0.08"})
-    void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String couleur, String debut, String loi) throws IOException {
-        List<String> lignes = new ArrayList<>(List.of(Essai.ressource(BrumeTest.class, "/reference/" + ini), "[Brume]"));
-        for (String ligne : Arrays.asList(couleur, debut, loi)) {
-            lignes.add(ligne == null ? "" : ligne);
-        }
-        Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
-        Essai.verifierReference(pfm, dossier);
-    }
-
-    @Tag("reference")
-    @Test
-    void uneSceneSansSectionALaBrumeParDefaut() throws IOException {
-        String quatre = Essai.ressource(BrumeTest.class, "/reference/p1-quatre.ini");
-        Essai.dessiner(dossier, scene(quatre), "--taille", "120x90", "--seuil", "0");
-        Essai.verifierReference("p1-quatre.brume.pfm", dossier);
+        "p1-quatre.ini | p1-quatre.brume.pfm        | [Brume];couleur=0.8 0.8 0.8;debut=0;fin=30",
+        "p1-quatre.ini | p1-quatre.brume.pfm        | [Brume]",
+        "p1-quatre.ini | p1-quatre.brume.pfm        | ''",
+        "p2-sol.ini    | p2-sol.brume-densite.pfm   | [Brume];couleur=0.7 0.75 0.8;debut=2;densite=0.08"})
+    void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String section) throws IOException {
+        verifierReference(pfm, ini, section.split(";"));
     }
 
     /**
@@ -103,7 +82,6 @@ class BrumeTest {
     @Test
     void kResteEntreZeroEtUnEtNEstJamaisNaN() {
         double[] valeurs = {0, Double.MIN_VALUE, 1e-300, 1e-9, 0.1, 1, 30, 1e9, 1e100, 1e300, Double.MAX_VALUE};
-        double precedent;
         for (double debut : valeurs) {
             for (double parametre : valeurs) {
                 List<Brume> brumes = new ArrayList<>();
@@ -112,7 +90,7 @@ class BrumeTest {
                     brumes.add(new Brume(new Couleur(1e6), debut, parametre, 0));
                 }
                 for (Brume brume : brumes) {
-                    precedent = 0;
+                    double precedent = 0;
                     for (double d : valeurs) {
                         double k = brume.k(d);
                         String loi = brume == brumes.get(0) ? "densite " : "fin ";
@@ -146,22 +124,12 @@ class BrumeTest {
         "densité=1            | 2 | densité | clé inconnue ; attendu : couleur, debut, densite, fin",
         "densite=1~epaisseur=2| 3 | epaisseur | clé inconnue ; attendu : couleur, debut, densite, fin"})
     void uneValeurImpossibleEstRefuseeEnUneLigne(String lignes, int ligne, String cle, String faute) throws IOException {
-        Path scene = scene("[Brume]", lignes.replace('~', '\n'));
-        Path image = dossier.resolve("image.pfm");
-        Essai essai = Essai.executer("--lineaire", image.toString(), scene.toString());
-        assertEquals("lancer : " + scene + ", ligne " + ligne + ", [Brume], " + cle + " : " + faute + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
-        assertTrue(!image.toFile().exists() && essai.sortie.isEmpty());
+        verifierRefus("ligne " + ligne + ", [Brume], " + cle + " : " + faute, "[Brume]", lignes.replace('~', '\n'));
     }
 
     @Test
     void deuxBrumesSontRefusees() throws IOException {
-        Path scene = scene("[Brume]", "[Brume 2]");
-        Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
-        assertEquals("lancer : " + scene
-                + ", ligne 2, [Brume 2] : section déjà donnée, ligne 1 ; attendu : une seule section Brume"
-                + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
+        verifierRefus("ligne 2, [Brume 2] : section déjà donnée, ligne 1 ; attendu : une seule section Brume", "[Brume]", "[Brume 2]");
     }
 
     @Test

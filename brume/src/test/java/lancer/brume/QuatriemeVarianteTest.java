@@ -8,15 +8,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
 import lancer.essai.Essai;
@@ -30,8 +28,8 @@ class QuatriemeVarianteTest {
     private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
     private static final Pattern INSERTION = Pattern.compile("Dans `([^`]+)`, sous `([^`]+)` :");
 
-    private static final Pattern AILLEURS = Pattern.compile("(brume|antialias|blinn|mesures|correction)/src|mesures/resultats|"
-            + "images|docs|src/test/(resources|java/lancer/(?!essai).*)");
+    private static final Pattern AILLEURS = Pattern.compile("((.*/)?(target|\\.(?!mvn)[^/]*)|(brume|antialias|blinn|mesures|correction)/src|"
+            + "mesures/resultats|images|docs|src/test/(resources|java/lancer/(?!essai).*))/.*");
 
     @TempDir
     static Path copie;
@@ -48,7 +46,7 @@ class QuatriemeVarianteTest {
                     "pas de " + outil + " ici");
         }
         copier(Path.of("..").toRealPath());
-        String page = lireTexte(Path.of("../docs/etendre.md"));
+        String page = Files.readString(Path.of("../docs/etendre.md"));
         String partie = page.substring(page.indexOf("## Une quatrième variante\n"), page.indexOf("## Une forme à soi\n"));
         String prose = "";
         StringBuilder bloc = new StringBuilder();
@@ -73,7 +71,7 @@ class QuatriemeVarianteTest {
             Files.writeString(copie.resolve(fichier.group(1)), bloc);
         } else if (insertion.matches()) {
             Path ou = copie.resolve(insertion.group(1));
-            String avant = lireTexte(ou);
+            String avant = Files.readString(ou);
             int ligne = avant.indexOf('\n', avant.indexOf(insertion.group(2))) + 1;
             Files.writeString(ou, (avant.substring(0, ligne) + bloc + avant.substring(ligne)));
         } else {
@@ -86,34 +84,23 @@ class QuatriemeVarianteTest {
             sh.environment().put("JAVA_HOME", java);
             sh.environment().put("PATH", java + File.separator + "bin" + File.pathSeparator + System.getenv("PATH"));
             int statut = sh.start().waitFor();
-            dit = lireTexte(sortie);
+            dit = Files.readString(sortie);
             assertEquals(0, statut, bloc + dit);
         }
     }
 
-    private static String lireTexte(Path fichier) throws IOException {
-        return Files.readString(fichier);
-    }
-
     /** Tout, sauf ce qu'aucune commande de la page ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
     private static void copier(Path projet) throws IOException {
-        Files.walkFileTree(projet, new SimpleFileVisitor<Path>() {
-            @Override
-            public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes a) throws IOException {
-                String chemin = projet.relativize(d).toString().replace(File.separatorChar, '/');
-                if (d.getFileName().toString().matches("target|\\.(?!mvn).*") || AILLEURS.matcher(chemin).matches()) {
-                    return FileVisitResult.SKIP_SUBTREE;
+        try (Stream<Path> fichiers = Files.walk(projet)) {
+            for (Path fichier : (Iterable<Path>) fichiers.filter(Files::isRegularFile)::iterator) {
+                String chemin = projet.relativize(fichier).toString().replace(File.separatorChar, '/');
+                if (!AILLEURS.matcher(chemin).matches()) {
+                    Path ici = copie.resolve(chemin);
+                    Files.createDirectories(ici.getParent());
+                    Files.copy(fichier, ici);
                 }
-                Files.createDirectories(copie.resolve(projet.relativize(d).toString()));
-                return FileVisitResult.CONTINUE;
             }
-
-            @Override
-            public FileVisitResult visitFile(Path f, BasicFileAttributes a) throws IOException {
-                Files.copy(f, copie.resolve(projet.relativize(f).toString()));
-                return FileVisitResult.CONTINUE;
-            }
-        });
+        }
     }
 
     private static List<Path> nuit() {
@@ -143,12 +130,8 @@ class QuatriemeVarianteTest {
 
     @Test
     void elleSInstalleSansRienChangerALaBase() throws Exception {
-        Path image = dossier.resolve("nuit.pfm");
-        Essai essai = Essai.executerAvec(nuit(), "--lineaire", image.toString(), "--taille", "1x1", boule("[nuit]", "portee=2.5"));
-        assertEquals("", essai.erreur);
-        assertEquals(0, essai.code);
         // le contact est à 5 unités, soit deux portées, éclairé de face
-        assertEquals(0.25, Essai.pfm(Files.readAllBytes(image))[0], 1e-7);
+        assertEquals(0.25, Essai.dessinerAvec(nuit(), dossier, Path.of(boule("[nuit]", "portee=2.5")), "--taille=1x1")[0], 1e-7);
     }
 
     @Test
@@ -165,18 +148,15 @@ class QuatriemeVarianteTest {
         // à côté, le ciel, dans la nuit
         assertEquals(0, Essai.dessinerAvec(nuit, dossier, Essai.scene(scene, lignes), "--taille=1x1")[0]);
         lignes[3] = "rayon=0";
-        Essai essai = Essai.executerAvec(nuit, "--lineaire", dossier.resolve("a.pfm").toString(), Essai.scene(scene, lignes).toString());
-        assertEquals("lancer : " + scene + ", ligne 4, [Disque 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100"
-                + System.lineSeparator(), essai.erreur);
+        Essai.executerAvec(nuit, "--lineaire", dossier.resolve("a.pfm").toString(), Essai.scene(scene, lignes).toString()).exigerRefus(2,
+                scene + ", ligne 4, [Disque 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100");
     }
 
     @Test
     void saSectionALesMessagesDeLaBase() throws Exception {
         String scene = boule("[Nuit]", "portee=0");
-        Essai essai = Essai.executerAvec(nuit(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene);
-        assertEquals("lancer : " + scene + ", ligne 9, [Nuit], portee : hors limites : « 0 » ; attendu : un nombre plus grand que 0, "
-                + "au plus 1000000" + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
+        Essai.executerAvec(nuit(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene).exigerRefus(2, scene
+                + ", ligne 9, [Nuit], portee : hors limites : « 0 » ; attendu : un nombre plus grand que 0, au plus 1000000");
     }
 
     @Test
@@ -192,10 +172,8 @@ class QuatriemeVarianteTest {
     void deuxVariantesQuiVeulentLAirSontNommeesToutesDeux() throws Exception {
         Path image = dossier.resolve("nuit.pfm");
         List<Path> classes = List.of(nuit().get(0), Essai.origine(Brume.class));
-        Essai essai = Essai.executerAvec(classes, "--lineaire", image.toString(), boule());
-        assertEquals("lancer : deux variantes veulent changer l'air : lancer.nuit.Nuit et lancer.brume.Brume ; attendu : "
-                + "une seule des deux dans le chemin des classes" + System.lineSeparator(), essai.erreur);
-        assertEquals(2, essai.code);
+        Essai.executerAvec(classes, "--lineaire", image.toString(), boule()).exigerRefus(2, "deux variantes veulent changer l'air : "
+                + "lancer.nuit.Nuit et lancer.brume.Brume ; attendu : une seule des deux dans le chemin des classes");
         assertFalse(Files.exists(image));
     }
 }
