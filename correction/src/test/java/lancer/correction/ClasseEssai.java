@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.Reader;
 import java.nio.ByteBuffer;
@@ -39,21 +38,34 @@ public abstract class ClasseEssai {
         int code;
         String sortie;
         String erreur;
+
+        /** Il a refusé, en une seule ligne où sont ces mots. */
+        void exigerRefus(String... mots) {
+            assertEquals(2, code, erreur);
+            assertEquals(1, erreur.trim().split("\n").length, erreur);
+            contient(erreur, mots);
+        }
     }
 
     static Essai executer(Object... arguments) {
         Essai essai = new Essai();
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         ByteArrayOutputStream erreur = new ByteArrayOutputStream();
-        try (PrintStream s = new PrintStream(sortie, true, "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
-            essai.code = Correction.executer(Stream.of(arguments).map(String::valueOf).toArray(String[]::new), s, e,
-                    (confinement, graine) -> JuryPartage.de(confinement));
-        } catch (java.io.UnsupportedEncodingException e) {
-            throw new IllegalStateException(e);
-        }
-        essai.sortie = new String(sortie.toByteArray(), StandardCharsets.UTF_8);
-        essai.erreur = new String(erreur.toByteArray(), StandardCharsets.UTF_8);
+        essai.code = Correction.executer(Stream.of(arguments).map(String::valueOf).toArray(String[]::new),
+                new PrintStream(sortie, true, StandardCharsets.UTF_8), new PrintStream(erreur, true, StandardCharsets.UTF_8),
+                (confinement, graine) -> JuryPartage.de(confinement));
+        essai.sortie = sortie.toString(StandardCharsets.UTF_8);
+        essai.erreur = erreur.toString(StandardCharsets.UTF_8);
         return essai;
+    }
+
+    /** Note de nouveau, avec ces options, ce qui a été jugé dans ce dossier. */
+    static Essai renoter(Path dossier, Object... options) {
+        return executer(Stream.concat(Stream.of("--noter", "--sortie", dossier), Stream.of(options)).toArray());
+    }
+
+    static String index(Path dossier) throws IOException {
+        return Files.readString(dossier.resolve("index.html"));
     }
 
     /** Les lignes de classe.csv, par identifiant. */
@@ -100,9 +112,12 @@ public abstract class ClasseEssai {
 
     /** Dans cette classe du dossier, le premier texte devient le second. */
     public static void changer(Path sources, String classe, String avant, String apres) throws IOException {
-        Path fichier = sources.resolve(classe + ".java");
+        changer(sources.resolve(classe + ".java"), avant, apres);
+    }
+
+    public static void changer(Path fichier, String avant, String apres) throws IOException {
         String texte = Files.readString(fichier);
-        assertTrue(texte.contains(avant), classe + " : " + avant);
+        assertTrue(texte.contains(avant), fichier + " : " + avant);
         Files.writeString(fichier, texte.replace(avant, apres));
     }
 
@@ -137,8 +152,6 @@ public abstract class ClasseEssai {
         }
         octets.put(fiche + 5, (byte) 3);
         octets.putInt(fiche + 38, 0xA1FF << 16);
-        try (OutputStream sortie = Files.newOutputStream(archive)) {
-            sortie.write(octets.array());
-        }
+        Files.write(archive, octets.array());
     }
 }

@@ -7,13 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -26,6 +28,8 @@ class ClasseTest extends ClasseEssai {
 
     @TempDir
     static Path dossier;
+
+    private static final String TITRES = "Identifiant,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n";
 
     private static Map<String, Map<String, String>> classe;
 
@@ -43,7 +47,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void chacunAUneLigneDansLOrdre() {
-        assertEquals(List.of("101", "102", "103", "104", "105", "106"), List.of(classe.keySet().toArray()));
+        assertEquals("[101, 102, 103, 104, 105, 106]", classe.keySet().toString());
     }
 
     @Test
@@ -56,7 +60,7 @@ class ClasseTest extends ClasseEssai {
     }
 
     private static String etat(String page, String critere) {
-        return page.replaceFirst("(?s).*<span class=\"e \\w+\">([^<]*)</span> " + java.util.regex.Pattern.quote(critere) + ".*", "$1");
+        return page.replaceFirst("(?s).*<span class=\"e \\w+\">([^<]*)</span> " + Pattern.quote(critere) + ".*", "$1");
     }
 
     @Test
@@ -70,8 +74,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
         etapes("103", "7/7", "9/9", "0/7", "1/11", "1/9");
-        contient(page(dossier, "103"), "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, "
-                + "insert &quot;;&quot; to complete",
+        contient(page(dossier, "103"), "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, insert &quot;;&quot; to complete",
                 "n&#39;est pas en UTF-8");
     }
 
@@ -101,10 +104,6 @@ class ClasseTest extends ClasseEssai {
                 Files.readString(dossier.resolve("ajustements-a-remplir.csv")));
     }
 
-    private static String index(Path dossier) throws IOException {
-        return Files.readString(dossier.resolve("index.html"));
-    }
-
     @Test
     void unMessageQuiSeRepeteNEstDeplieQuUneFois() throws IOException {
         String page = page(dossier, "103");
@@ -126,9 +125,7 @@ class ClasseTest extends ClasseEssai {
 
     /** Note de nouveau ce qui a été jugé. */
     private static Essai renoter(Object... options) {
-        List<Object> arguments = new ArrayList<>(List.of("--noter", "--sortie", dossier));
-        arguments.addAll(List.of(options));
-        Essai essai = executer(arguments.toArray());
+        Essai essai = renoter(dossier, options);
         assertEquals(0, essai.code, essai.erreur);
         return essai;
     }
@@ -146,9 +143,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void sansResultatsIlNYARienANoter(@TempDir Path vide) {
-        Essai essai = executer("--noter", "--sortie", vide);
-        assertEquals(2, essai.code);
-        assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);
+        renoter(vide).exigerRefus();
         assertEquals(2, executer("--noter", RENDUS.resolve("classe")).code, "--noter ne juge rien");
     }
 
@@ -156,9 +151,8 @@ class ClasseTest extends ClasseEssai {
     void laGraineEstTireeUneFoisEtUneAutreEstRefuseeSiCeNEstPasUnNombre(@TempDir Path autre) throws IOException {
         assertTrue(Files.readString(dossier.resolve("graine.txt")).matches("\\d+\n"));
         Files.writeString(autre.resolve("graine.txt"), "douze\n");
-        Essai essai = executer("--sortie", autre, "--sans-confinement", RENDUS.resolve("classe"));
-        assertEquals(2, essai.code);
-        contient(essai.erreur, "graine.txt : « douze » ; attendu : un nombre entier");
+        executer("--sortie", autre, "--sans-confinement", RENDUS.resolve("classe"))
+                .exigerRefus("graine.txt : « douze » ; attendu : un nombre entier");
     }
 
     @Test
@@ -184,8 +178,7 @@ class ClasseTest extends ClasseEssai {
     void uneNoteDeLEnseignantResteASaTroisiemeFoisCommeALaPremiere() throws IOException {
         Path feuille = dossier.resolve("a-lui.csv");
         String nous = "Correction automatique : 16.75, étape atteinte, « x » ; le détail est dans le fichier de retour.";
-        String entete = "Identifiant,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n";
-        Files.writeString(feuille, entete + "Participant106,\"8,50\",20.00,-,\nParticipant104,12.00,20.00,-,\"Bien vu " + nous
+        Files.writeString(feuille, TITRES + "Participant106,\"8,50\",20.00,-,\nParticipant104,12.00,20.00,-,\"Bien vu " + nous
                 + "\"\nParticipant105,16.75,20.00,-,\"" + nous
                 + "\"\nParticipant103,,20.00,-,Absent\nParticipant102," + classe.get("102").get("note") + ",20.00,-,\n");
         String premiere = null;
@@ -202,18 +195,14 @@ class ClasseTest extends ClasseEssai {
                     "Participant103," + classe.get("103").get("note") + ",20.00,-,\"Absent Correction automatique : ",
                     "Participant102," + classe.get("102").get("note") + ",20.00,-,\n");
             // déposée, puis donnée de nouveau par Moodle, elle en reste là
-            Files.copy(dossier.resolve("notes-a-deposer.csv"), feuille, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
+            Files.copy(dossier.resolve("notes-a-deposer.csv"), feuille, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 
     @Test
     void lesMotsDeLEnseignantDansNotrePhraseSontLesSiens() throws IOException {
-        Path feuille = dossier.resolve("melee.csv");
         String phrase = "Correction automatique : 12.00, mais voir mon mail ; le détail est dans le fichier de retour.";
-        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n"
-                + "Participant106,12.00,20,-,\""
-                + phrase + "\"\n");
-        renoter("--notes", feuille);
+        renoter("--notes", Files.writeString(dossier.resolve("melee.csv"), TITRES + "Participant106,12.00,20,-,\"" + phrase + "\"\n"));
         contient(Files.readString(dossier.resolve("notes-a-deposer.csv")), "Participant106,12.00,20,-,\"" + phrase);
     }
 
@@ -223,20 +212,15 @@ class ClasseTest extends ClasseEssai {
         Path abime = copie.resolve("resultats/102.json");
         String texte = Files.readString(abime);
         Files.writeString(abime, texte.substring(0, texte.length() / 2) + "\"");
-        Essai essai = executer("--noter", "--sortie", copie);
-        assertEquals(2, essai.code);
-        contient(essai.erreur, "102.json manque, ou est abîmé");
+        renoter(copie).exigerRefus("102.json manque, ou est abîmé");
     }
 
     @Test
     void sansColonneDeCommentairesSeulesLesCasesVidesSontRemplies() throws IOException {
-        Path feuille = dossier.resolve("sans.csv");
-        Files.writeString(feuille, "Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\n"
-                + "Participant 104,3.00,20.00,-\nParticipant 105,,20.00,-\n");
-        renoter("--notes", feuille);
-        assertEquals("Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\nParticipant 104,3.00,20.00,-\n"
-                + "Participant 105," + classe.get("105").get("note") + ",20.00,-\n",
-                Files.readString(dossier.resolve("notes-a-deposer.csv")));
+        String lignes = "Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\n"
+                + "Participant 104,3.00,20.00,-\nParticipant 105,%s,20.00,-\n";
+        renoter("--notes", Files.writeString(dossier.resolve("sans.csv"), String.format(lignes, "")));
+        assertEquals(String.format(lignes, classe.get("105").get("note")), Files.readString(dossier.resolve("notes-a-deposer.csv")));
         contient(classe(dossier).get("104").get("à regarder"), "la nôtre serait " + classe.get("104").get("note").replace('.', ','));
     }
 
@@ -250,19 +234,17 @@ class ClasseTest extends ClasseEssai {
     }
 
     private void verifierFeuille(String nom, String entete, String prefixe, String oui, String non) throws IOException {
-        Path feuille = dossier.resolve(nom);
         String lignes = prefixe + "106,\"Étudiant, 6\",\"Remis \"\"à temps\"\"\",,10.00," + oui + ",hier,-,\"a\nb\",\n"
                 + prefixe + "104,Étudiant 4,x,3.00,10.00," + oui + ",hier,-,,Très bien !\n"
                 + prefixe + "105,Étudiant 5,x,,10.00," + non + ",hier,-,,\n"
                 + prefixe + "999,Étudiant absent,x,,10.00," + oui + ",,-,,\n";
-        Files.writeString(feuille, (entete + lignes));
-        Essai essai = renoter("--notes", feuille);
+        Essai essai = renoter("--notes", Files.writeString(dossier.resolve(nom), entete + lignes));
         contient(essai.erreur, "absents de la feuille, ou que Moodle y a verrouillés : Étudiant 1 (101), Étudiant 2 (102), "
                 + "Étudiant 3 (103), Étudiant 5 (105)\n");
         String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"));
         assertEquals(entete.startsWith("\uFEFF"), ecrit.startsWith("\uFEFF"));
-        List<org.apache.commons.csv.CSVRecord> avant = CSVParser.parse(entete + lignes, CSVFormat.DEFAULT).getRecords();
-        List<org.apache.commons.csv.CSVRecord> apres = CSVParser.parse(ecrit, CSVFormat.DEFAULT).getRecords();
+        List<CSVRecord> avant = CSVParser.parse(entete + lignes, CSVFormat.DEFAULT).getRecords();
+        List<CSVRecord> apres = CSVParser.parse(ecrit, CSVFormat.DEFAULT).getRecords();
         assertEquals(avant.size(), apres.size());
         for (int i = 0; i < avant.size(); i++) {
             for (int k = 0; k < avant.get(i).size(); k++) {
@@ -287,12 +269,12 @@ class ClasseTest extends ClasseEssai {
         String titres = "id,critère,points,commentaire\n";
         Files.writeString(ajustements, titres
                 + "101,sphere,2.5,vu en TP\n999,sphere,1,\n102,flou,1,\n101,sphere,1,encore\n104,lambert,25,\n");
-        String index = Files.readString(dossier.resolve("index.html"));
-        Essai essai = executer("--noter", "--sortie", dossier);
+        String index = index(dossier);
+        Essai essai = renoter(dossier);
         assertEquals(2, essai.code);
         contient(essai.erreur, "ligne 3, l'étudiant « 999 » n'existe pas", "ligne 4, le critère « flou » n'existe pas",
                 "ligne 5, « sphere » a déjà été donné à « 101 » plus haut", "ligne 6, « 25 » ; attendu : de 0 à 2.0 pour « lambert »");
-        assertEquals(index, Files.readString(dossier.resolve("index.html")));
+        assertEquals(index, index(dossier));
         Files.writeString(ajustements, titres + "101,sphere,2.5,vu en TP\n");
         renoter();
         Files.delete(ajustements);
@@ -304,11 +286,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void uneFeuilleDontUneColonneManqueEstRefuseeEnUnePhrase() throws IOException {
-        Path feuille = dossier.resolve("fausse.csv");
-        Files.writeString(feuille, "Identifiant,Nom complet,Note\nParticipant101,x,\n");
-        Essai essai = executer("--sortie", dossier, "--notes", feuille, RENDUS.resolve("classe"));
-        assertEquals(2, essai.code);
-        assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);
-        contient(essai.erreur, "Dernière modification (note)");
+        Path feuille = Files.writeString(dossier.resolve("fausse.csv"), "Identifiant,Nom complet,Note\nParticipant101,x,\n");
+        executer("--sortie", dossier, "--notes", feuille, RENDUS.resolve("classe")).exigerRefus("Dernière modification (note)");
     }
 }

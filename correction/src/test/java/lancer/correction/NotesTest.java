@@ -9,7 +9,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -55,9 +54,7 @@ class NotesTest extends ClasseEssai {
     }
 
     private Essai renoter(Object... options) {
-        List<Object> arguments = new ArrayList<>(List.of("--noter", "--sortie", dossier));
-        arguments.addAll(List.of(options));
-        return executer(arguments.toArray());
+        return renoter(dossier, options);
     }
 
     private Path feuille(String texte) throws IOException {
@@ -94,7 +91,7 @@ class NotesTest extends ClasseEssai {
         }
         assertEquals("34.00/40.00", note("7001"));
         contient(page(dossier, "7001"), "34 points sur 40", "<td class=\"n\">5 / 5");
-        contient(Files.readString(dossier.resolve("index.html")), "note sur 40", "sur 40, la note maximale de la feuille");
+        contient(index(dossier), "note sur 40", "sur 40, la note maximale de la feuille");
         renoter();
         assertEquals("17.00/20.00", note("7001"));
     }
@@ -105,7 +102,7 @@ class NotesTest extends ClasseEssai {
         ajuster("7001,rapport écrit,3,\n");
         renoter("--notes", feuille(TITRES + "Participant 7001,x,9.00,20.00,-,\nParticipant 7002,x,,20.00,-,\n"));
         assertEquals("9.00/20.00", note("7001"), "celle de l'enseignant, sur toutes les pages");
-        String index = Files.readString(dossier.resolve("index.html"));
+        String index = index(dossier);
         contient(index, "<td class=\"n\">9,00<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : "
                 + "9,00 ; la nôtre serait 16,67");
         assertEquals(2, index.split("sur 24").length, "dit une fois, et le reste est sur une seule échelle");
@@ -119,30 +116,25 @@ class NotesTest extends ClasseEssai {
         for (String lignes : List.of("7001,x,,trente,-,\n", "7001,x,,,-,\n", "7001,x,,0.00,-,\n", "7001,x,,-5,-,\n", "7001,x,,A,-,\n",
                 "7001,x,,30,-,\n7002,x,,3O,-,\n", "7001,x,,30,-,\n7002,x,,20,-,\n", "")) {
             Path feuille = feuille(TITRES + lignes);
-            Essai essai = executer("--sans-confinement", "--sortie", dossier, "--notes", feuille, jugee.resolve("rendus"));
-            assertEquals(2, essai.code, lignes);
-            assertEquals(1, essai.erreur.split("\n").length, essai.erreur);
-            contient(essai.erreur, lignes.isEmpty() ? "aucun étudiant" : "attendu : un nombre, le même pour tous");
+            executer("--sans-confinement", "--sortie", dossier, "--notes", feuille, jugee.resolve("rendus"))
+                    .exigerRefus(lignes.isEmpty() ? "aucun étudiant" : "attendu : un nombre, le même pour tous");
         }
-        Essai sans = renoter("--notes", feuille("Identifier,Grade,Top mark,Last modified (grade)\n7001,,30,-\n"));
-        assertEquals(2, sans.code);
-        contient(sans.erreur, "la colonne « Note maximale » (« Maximum grade ») manque");
+        renoter("--notes", feuille("Identifier,Grade,Top mark,Last modified (grade)\n7001,,30,-\n"))
+                .exigerRefus("la colonne « Note maximale » (« Maximum grade ») manque");
     }
 
     @Test
     void uneFeuilleEnregistreeParUnTableurFrancaisGardeSonSeparateurSonCodageEtSonSigneDecimal() throws IOException {
         String titres = "Identifiant;Nom complet;NOTE;Note Maximale;Dernière modification (note);Feedback par commentaires\r\n";
-        Path feuille = dossier.resolve("tableur.csv");
-        Files.write(feuille, (titres + "Participant7001;Œuvrée, "
-                + "Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
-                .getBytes(CP1252));
+        Path feuille = Files.writeString(dossier.resolve("tableur.csv"), titres + "Participant7001;Œuvrée, Maëlle;;50,00;-;\r\n;;;;;\r\n"
+                + "Participant7002;b;3,25;50,00;-;à « voir »\r\n", CP1252);
         Essai essai = renoter("--notes", feuille);
         assertEquals(0, essai.code, essai.erreur);
-        String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252);
+        String ecrit = Files.readString(dossier.resolve("notes-a-deposer.csv"), CP1252);
         contient(ecrit, titres + "Participant7001;Œuvrée, Maëlle;42,50;50,00;-;\"Correction automatique : 42,50, étape atteinte, « ",
                 ";;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n");
         assertEquals(0, renoter("--notes", dossier.resolve("notes-a-deposer.csv")).code);
-        assertEquals(ecrit, new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252));
+        assertEquals(ecrit, Files.readString(dossier.resolve("notes-a-deposer.csv"), CP1252));
     }
 
     @Test
@@ -177,7 +169,7 @@ class NotesTest extends ClasseEssai {
         contient(essai.erreur, "des pages n'ont pas été écrites : ");
         contient(page(dossier, "7001"), "17 points sur 20 ; le reste de cette page n'a pu être écrit");
         contient(page(dossier, "7002"), "<h2>Les images</h2>");
-        contient(Files.readString(dossier.resolve("index.html")), "la page de Ólafur", "7002");
+        contient(index(dossier), "la page de Ólafur", "7002");
         Files.writeString(resultat("7001"), juge);
         renoter();
     }
@@ -191,8 +183,7 @@ class NotesTest extends ClasseEssai {
             String fin = codage.equals("x-MacRoman") ? "\r" : "\n";
             Path feuille = dossier.resolve("codee.csv");
             Files.write(feuille, ("Identifiant,Nom complet,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n"
-                    + lignes)
-                    .replace("\n", fin).getBytes(codage));
+                    + lignes).replace("\n", fin).getBytes(codage));
             assertEquals(0, renoter("--notes", feuille).code, codage);
             String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), codage);
             contient(ecrit, fin + cases + fin, "à voir", "étape atteinte, « ");
@@ -217,14 +208,16 @@ class NotesTest extends ClasseEssai {
         contient(dit, "notes-a-deposer.csv a été changé : il est gardé sous le nom « notes-a-deposer changée avant le ");
         assertEquals(notre, deposee());
         contient(Files.readString(dossier.resolve(dit.replaceFirst("(?s).*« (.*?\\.csv) ».*", "$1"))), "a,11.75");
-        contient(Files.readString(dossier.resolve("index.html")), "notes-a-deposer.csv a été changé");
+        contient(index(dossier), "notes-a-deposer.csv a été changé");
     }
 
     /** Change l'un des résultats, tel que make noter le relit. */
     private void changer(String id, String avant, String apres) throws IOException {
-        String texte = Files.readString(resultat(id));
-        assertTrue(texte.contains(avant), avant);
-        Files.writeString(resultat(id), texte.replace(avant, apres));
+        changer(resultat(id), avant, apres);
+    }
+
+    private String empreinte(String id) throws IOException {
+        return Files.readString(resultat(id)).replaceFirst("(?s).*(\"empreinte\":\"[^\"]*).*", "$1");
     }
 
     @Test
@@ -235,13 +228,12 @@ class NotesTest extends ClasseEssai {
         contient(deposee(), "7001,x,15.13,20.00,-,\"Correction automatique : 15,13, ");
         assertEquals(List.of("15.13/20.00", "3.50/20.00"), List.of(note("7001"), note("7002")));
         contient(page(dossier, "7002"), "3,5 points sur 20, la note que l'enseignant a donnée");
-        contient(Files.readString(dossier.resolve("index.html")), "moyenne 9,32 sur 20, médiane 9,32", "<h2>Les notes</h2>");
+        contient(index(dossier), "moyenne 9,32 sur 20, médiane 9,32", "<h2>Les notes</h2>");
     }
 
     @Test
     void quiNARienRenduEstNommeEtUnGroupeAussi() throws IOException {
-        changer("7002", "\"empreinte\":\"" + Files.readString(resultat("7002")).replaceFirst("(?s).*\"empreinte\":\"([^\"]*).*", "$1"),
-                "\"empreinte\":\"" + Files.readString(resultat("7001")).replaceFirst("(?s).*\"empreinte\":\"([^\"]*).*", "$1"));
+        changer("7002", empreinte("7002"), empreinte("7001"));
         contient(renoter("--notes", feuille(TITRES + "Participant 7001,x,,20.00,-,\nParticipant 7003,Zoé Roux,,20.00,-,\n")).erreur,
                 "dans la feuille, et sans rendu ici (1) : Zoé Roux\n",
                 "un même rendu pour 2 identifiants : Ólafur Þór (7001), Zoé N’Guyen (7002)\n");
@@ -252,12 +244,10 @@ class NotesTest extends ClasseEssai {
         changer("7001", "\"formes\":{", "\"formes\":{\"Sphere.f\":\"s\",\"Scene.g\":\"a\"");
         changer("7002", "\"formes\":{", "\"formes\":{\"Sphere.autre\":\"s\",\"Scene.g\":\"b\"");
         renoter();
-        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme chez Zoé N’Guyen (7002), "
-                + "aux noms et aux commentaires près : "
-                + "Sphere.f");
-        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme chez Ólafur Þór (7001), "
-                + "aux noms et aux commentaires près : "
-                + "Sphere");
+        contient(classe(dossier).get("7001").get("à regarder"),
+                "écrit comme chez Zoé N’Guyen (7002), aux noms et aux commentaires près : Sphere.f");
+        contient(classe(dossier).get("7002").get("à regarder"),
+                "écrit comme chez Ólafur Þór (7001), aux noms et aux commentaires près : Sphere");
     }
 
     @Test
@@ -265,7 +255,7 @@ class NotesTest extends ClasseEssai {
         renoter("--notes", feuille("Identifiant,Statut,Note,Note maximale,Dernière modification (note)\n"
                 + "Participant7001,Remis pour évaluation - En retard de 2 jours,,20,-\nParticipant7002,Remis pour évaluation,,20,-\n"));
         contient(page(dossier, "7001"), "<p>En retard de 2 jours</p>");
-        contient(Files.readString(dossier.resolve("index.html")), "En retard de 2 jours");
+        contient(index(dossier), "En retard de 2 jours");
         assertFalse(page(dossier, "7002").contains("retard"));
     }
 
@@ -286,7 +276,7 @@ class NotesTest extends ClasseEssai {
                 "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
         contient(classe(dossier).get("7001").get("à regarder"), "remplace un autre travail de « Ólafur Þór », jugé le ");
         assertEquals(Set.of("7001", "7002", "7009"), classe(dossier).keySet());
-        contient(Files.readString(dossier.resolve("index.html")), "3 entrées, 3 lignes");
+        contient(index(dossier), "3 entrées, 3 lignes");
         assertEquals("17.00/20.00", note("7009"));
         assertFalse(note("7001").equals("17.00/20.00"), "il a pris la place du premier");
         assertEquals(autre, Files.readString(resultat("7002")));
@@ -318,7 +308,7 @@ class NotesTest extends ClasseEssai {
         })).toArray(CompletableFuture[]::new);
         CompletableFuture.allOf(correcteurs).join();
         assertEquals(Set.of("7001", "7002", "TP1 à déplier", "TP1 vide", "TP2 à déplier", "TP2 vide"), classe(dossier).keySet());
-        contient(Files.readString(dossier.resolve("index.html")), "6 entrées, 6 lignes", "etudiants/TP1%2520vide.html");
+        contient(index(dossier), "6 entrées, 6 lignes", "etudiants/TP1%2520vide.html");
     }
 
     @Test
@@ -332,8 +322,7 @@ class NotesTest extends ClasseEssai {
         String aRemplir = Files.readString(dossier.resolve("ajustements-a-remplir.csv"));
         contient(aRemplir, "'=SOMME(A1)+k;'@b,brume,,");
         ajuster(aRemplir.replace("brume,,", "brume,0.5,"));
-        Essai essai = renoter();
-        assertEquals("", essai.erreur);
+        assertEquals("", renoter().erreur);
         assertEquals("17.50", classe(dossier).values().stream().map(l -> l.get("note")).max(String::compareTo).get());
     }
 
@@ -343,7 +332,7 @@ class NotesTest extends ClasseEssai {
         Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"nom\":\"[^\"]*",
                 "\"nom\":\"<b>x</b> & '\\\\\"y\\\\\" \\${7*7} <#stop> \u202e\\\\u0007"));
         assertEquals(0, renoter().code);
-        for (String page : List.of(page(dossier, "7001"), Files.readString(dossier.resolve("index.html")))) {
+        for (String page : List.of(page(dossier, "7001"), index(dossier))) {
             contient(page, "&lt;b&gt;x&lt;/b&gt; &amp; &#39;&quot;y&quot; ${7*7} &lt;#stop&gt; \uFFFD\uFFFD");
         }
     }
