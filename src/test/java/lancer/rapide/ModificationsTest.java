@@ -28,7 +28,7 @@ class ModificationsTest {
     /** L'image que ce programme donne d'une petite scène. */
     private float[] dessiner(Essai.Isole programme, String... options) throws IOException {
         Path pfm = dossier.resolve("i.pfm");
-        Essai essai = programme.executer(Essai.suite(options, "--fils=1", "--taille=60x45", "--lineaire", pfm.toString(), "scenes/scene1.ini"));
+        Essai essai = programme.executer(Essai.suite(options, "--fils=1", "--taille=60x45", "--lineaire=" + pfm, "scenes/scene1.ini"));
         assertEquals(0, essai.code, essai.toString());
         return Essai.pfm(Files.readAllBytes(pfm));
     }

@@ -1,11 +1,9 @@
 package lancer.antialias;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -29,7 +27,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** La variante par la ligne de commande, seule ou avec les deux autres. */
 class AntialiasTest extends EssaiVariante {
@@ -103,34 +100,11 @@ class AntialiasTest extends EssaiVariante {
         assertEquals(ini("recit-variantes.txt").trim(), String.join("\n", new Recit(pixel, court, court).raconter().lignes()));
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"coins", "partage"})
-    void lImageEtLesComptesNeDependentPasDuNombreDeFils(String methode) throws IOException {
-        String scene = scene(ini("p1-quatre.ini"), "[Antialias]", "methode=" + methode).toString();
-        String image = dossier.resolve("image.pfm").toString();
-        float[] unFil = null;
-        String comptes = null;
-        for (String fils : List.of("1", "2", "3", "7", "64")) {
-            Essai essai = Essai.executer("--lineaire", image, "--taille", "120x90", "--statistiques", "--fils", fils, scene);
-            assertEquals("", essai.erreur);
-            float[] obtenue = Essai.pfm(Files.readAllBytes(dossier.resolve("image.pfm")));
-            String obtenus = essai.sortie.substring(0, essai.sortie.indexOf("lecture.ms"));
-            unFil = unFil == null ? obtenue : unFil;
-            comptes = comptes == null ? obtenus : comptes;
-            assertArrayEquals(unFil, obtenue);
-            assertEquals(comptes, obtenus);
-        }
-    }
-
     @Test
     void lesStatistiquesDisentCeQuiAEteRaffine() throws IOException {
-        Path scene = scene("[Antialias]", "n=5");
-        String image = dossier.resolve("image.pfm").toString();
-        Essai ciel = Essai.executerAvec(SEULE, "--lineaire", image, "--taille", "40x30", "--statistiques", scene.toString());
-        assertEquals(0, ciel.statistique("pixels.raffines"));
-        assertEquals(4 * 40 * 30, ciel.statistique("rayons.primaires"));
-        scene = scene(ini("p1-quatre.ini"), "[Antialias]", "n=5");
-        Essai quatre = Essai.executerAvec(SEULE, "--lineaire", image, "--taille", "40x30", "--statistiques", scene.toString());
+        Path scene = scene(ini("p1-quatre.ini"), "[Antialias]", "n=5");
+        Essai quatre = Essai.executerAvec(SEULE, "--lineaire", dossier.resolve("image.pfm").toString(), "--taille", "40x30",
+                "--statistiques", scene.toString());
         long raffines = quatre.statistique("pixels.raffines");
         assertTrue(raffines > 50 && raffines < 600, () -> raffines + " pixels raffinés");
         assertEquals(4 * 40 * 30 + 21 * raffines, quatre.statistique("rayons.primaires"));

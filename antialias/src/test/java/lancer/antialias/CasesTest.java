@@ -11,7 +11,6 @@ import lancer.Couleur;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Section;
-import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
@@ -19,21 +18,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. */
-class CasesTest {
+class CasesTest extends EssaiEchantillons {
 
-    private static final Toile SANS_TOILE = (couleur, i, j) -> { };
     private static final Pave TRENTE_DEUX = new Pave(0, 0, 32, 32);
-
-    private int rayons;
-
-    /** Compte ses rayons. */
-    private Vue comptee(Vue vue) {
-        rayons = 0;
-        return (xe, ye) -> {
-            rayons++;
-            return vue.couleur(xe, ye);
-        };
-    }
 
     @Test
     void leContrasteEstCeluiDesDeuxExtremesOuQuIlsSoient() {
@@ -61,7 +48,7 @@ class CasesTest {
         Pave seize = new Pave(0, 0, 16, 16);
         for (double gris : new double[] {0.249, 0.251}) {
             Vue vue = (xe, ye) -> new Couleur((int) (2 * xe) == 16 && (int) (2 * ye) == 16 ? gris : 0);
-            assertEquals(gris > 0.25 ? 4 : 0, new Partage(4, 0.25).tracer(seize, seize, vue, SANS_TOILE).raffines, "contraste " + gris);
+            assertEquals(gris > 0.25 ? 4 : 0, raffines(new Partage(4, 0.25), seize, vue), "contraste " + gris);
         }
     }
 
@@ -72,8 +59,7 @@ class CasesTest {
             for (int hauteur = 1; hauteur <= 4; hauteur++) {
                 Pave pave = new Pave(7, 9, 7 + largeur, 9 + hauteur);
                 Vue vue = comptee((xe, ye) -> new Couleur(Math.sin(xe * ye)));
-                int raffines = new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE).raffines;
-                assertEquals(largeur * hauteur - 1, raffines, largeur + " × " + hauteur);
+                assertEquals(largeur * hauteur - 1, raffines(new Partage(2, 1e-3), pave, vue), largeur + " × " + hauteur);
                 assertEquals(4 * largeur * hauteur, rayons, largeur + " × " + hauteur);
             }
         }
@@ -83,7 +69,7 @@ class CasesTest {
     @Test
     void deDeuxSurDeuxUnPixelCoupeCouteTroisRayonsDePlus() {
         Vue vue = comptee((xe, ye) -> new Couleur(xe >= 16 && xe < 19 && ye >= 16 && ye < 19 ? 1 : 0));
-        int coupes = new Partage(2, 0.1).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE).raffines;
+        int coupes = raffines(new Partage(2, 0.1), TRENTE_DEUX, vue);
         assertEquals(12, coupes, "les cases que le bord du carré clair traverse");
         // un milieu par case coupée sur deux est un de ses trois rayons ; la dernière case, d'un seul sous-pixel, n'a pas de milieu
         assertEquals(33 * 33 + 511 + 3 * coupes - coupes / 2, rayons);
@@ -99,7 +85,7 @@ class CasesTest {
                 for (double gris : new double[] {0.99 * juste, 1.01 * juste}) {
                     Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 && xe < 16 + 1.0 / n && ye < 16 + 1.0 / n
                             ? gris : 0));
-                    int coupes = new Partage(n, seuil).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE).raffines;
+                    int coupes = raffines(new Partage(n, seuil), TRENTE_DEUX, vue);
                     assertEquals(gris > juste ? 32 * 32 : 4, coupes, n + ", " + seuil + ", " + gris);
                 }
             }
@@ -113,7 +99,7 @@ class CasesTest {
         Pave pave = new Pave(0, 0, 8, 8);
         Random hasard = new Random(68);
         // une case d'un seizième de pixel a trop peu de contraste
-        new Partage(n, 0.06).tracer(pave, pave, comptee((xe, ye) -> new Couleur(hasard.nextBoolean() ? 0.3 : 0)), SANS_TOILE);
+        raffines(new Partage(n, 0.06), pave, comptee((xe, ye) -> new Couleur(hasard.nextBoolean() ? 0.3 : 0)));
         assertTrue(rayons >= cote * cote * 64 && rayons <= Math.min(n * n, 17 * 17) * 64, n + " : " + rayons / 64.0);
     }
 

@@ -20,15 +20,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ce que la méthode du cours prend de rayons, et ce qu'elle manque. */
-class CoinsTest {
+class CoinsTest extends EssaiEchantillons {
 
     private static final Pave UN_PIXEL = new Pave(0, 0, 1, 1);
 
     /** L'unique pixel que donne cet échantillonnage. */
     private static Couleur pixel(Echantillonnage echantillonnage, Vue vue) {
-        Couleur[] vu = new Couleur[1];
-        echantillonnage.tracer(UN_PIXEL, UN_PIXEL, vue, (couleur, i, j) -> vu[0] = couleur);
-        return vu[0];
+        return pixels(echantillonnage, UN_PIXEL, vue)[0];
     }
 
     /** Une vue qui ne dépend que du sous-pixel de n × n où elle est prise, et qui refuse tout autre point que son centre. */
@@ -91,22 +89,6 @@ class CoinsTest {
         assertEquals(11 * 8, lancer.getAtelier().getCompteurs().primaires);
     }
 
-    /** La part de disques de rayon rho (en pixels), jetés au hasard, qu'aucun point de l'image ne voit. */
-    private static double partManquee(Echantillonnage echantillonnage, double rho, int essais) {
-        Random hasard = new Random(39);
-        Pave voisinage = new Pave(0, 0, 3, 3);
-        int manques = 0;
-        for (int essai = 0; essai < essais; essai++) {
-            double x = 1 + hasard.nextDouble();
-            double y = 1 + hasard.nextDouble();
-            boolean[] vu = new boolean[1];
-            Vue disque = (xe, ye) -> new Couleur((xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho ? 1 : 0);
-            echantillonnage.tracer(voisinage, voisinage, disque, (couleur, i, j) -> vu[0] |= !couleur.estNoire());
-            manques += vu[0] ? 0 : 1;
-        }
-        return (double) manques / essais;
-    }
-
     /** L'aire commune à deux disques de rayon rho dont les centres sont à la distance d. */
     private static double lentille(double rho, double d) {
         return d >= 2 * rho ? 0 : 2 * rho * rho * Math.acos(d / (2 * rho)) - d / 2 * Math.sqrt(4 * rho * rho - d * d);
@@ -119,9 +101,6 @@ class CoinsTest {
     @ParameterizedTest
     @CsvSource({"3, 0.05", "3, 0.1", "3, 0.16", "3, 0.2", "3, 0.235", "4, 0.1", "4, 0.15", "8, 0.05", "8, 0.0883"})
     void laProbabiliteDeManquerUnDisqueAUneFormeClose(int n, double rho) {
-        int essais = 20_000;
-        double attendue = 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n);
-        double ecartType = Math.sqrt(attendue * (1 - attendue) / essais);
-        assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, essais), 4 * ecartType);
+        verifierPartManquee(1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n), new Coins(n, 0.05), rho, 20_000);
     }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Où d'autres façons de moyenner un pixel échouent ; ce que la nôtre manque est dans {@link CoinsTest}. */
-class LimitesAntialiasTest {
+class LimitesAntialiasTest extends EssaiEchantillons {
 
     /** La moyenne de n × n points d'un pixel, pris à {@code decalage} du coin de leur sous-pixel, limités ou non avant d'être sommés. */
     private static Couleur moyenne(Vue vue, int i, int j, int n, double decalage, boolean limiter) {
@@ -35,9 +35,7 @@ class LimitesAntialiasTest {
     }
 
     private static Couleur laNotre(Vue vue, int n) {
-        Couleur[] vu = new Couleur[1];
-        new Coins(n, 0).tracer(new Pave(0, 0, 1, 1), new Pave(0, 0, 1, 1), vue, (couleur, i, j) -> vu[0] = couleur);
-        return vu[0];
+        return pixels(new Coins(n, 0), new Pave(0, 0, 1, 1), vue)[0];
     }
 
     /**

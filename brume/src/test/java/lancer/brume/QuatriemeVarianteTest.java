@@ -28,8 +28,8 @@ class QuatriemeVarianteTest {
     private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
     private static final Pattern INSERTION = Pattern.compile("Dans `([^`]+)`, sous `([^`]+)` :");
 
-    private static final Pattern AILLEURS = Pattern.compile("((.*/)?(target|\\.(?!mvn)[^/]*)|(brume|antialias|blinn|mesures|correction)/src|"
-            + "mesures/resultats|images|docs|src/test/(resources|java/lancer/(?!essai).*))/.*");
+    private static final Pattern AILLEURS = Pattern.compile("((.*/)?(target|\\.(?!mvn)[^/]*)|"
+            + "(brume|antialias|blinn|mesures|correction)/src|mesures/resultats|images|docs|src/test/(resources|java/lancer/(?!essai).*))/.*");
 
     @TempDir
     static Path copie;

@@ -3,7 +3,6 @@ package lancer.mesures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -14,7 +13,6 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Modele;
 import lancer.dessin.Dessin;
-import lancer.mesures.scenes.SceneAuHasard;
 import lancer.mesures.scenes.Scenes;
 import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
@@ -35,6 +33,10 @@ class GabaritTest {
     private static final int FIN = 16;
     private static final int REFLETS = 40;
 
+    private static Scene scene(String nom) {
+        return Scenes.lire(LecteurScene.trouver("scenes/" + nom + ".ini"));
+    }
+
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, int reflets) {
         return ImageLineaire.de(Dessin.lancer(scene, largeur, hauteur, false), reflets, 2);
     }
@@ -45,7 +47,7 @@ class GabaritTest {
 
     @Test
     void lesPixelsSemesDonnentLErreurDeTouteLImage() {
-        Scene scene = SceneAuHasard.de(2);
+        Scene scene = scene("bowling");
         ImageLineaire image = image(scene, LARGEUR, HAUTEUR, 5);
         Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3, Gabarit.COTE, (i, j) -> true);
         assertEquals(54 * 40, seme.carres(image).length, "un par carré");
@@ -54,7 +56,7 @@ class GabaritTest {
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
-        Scene miroirs = Scenes.lire(LecteurScene.trouver(Path.of("scenes", "miroirs.ini").toString()));
+        Scene miroirs = scene("miroirs");
         Gabarit gabarit = new Gabarit(miroirs, L, H, 2, Gabarit.COTE, (i, j) -> true);
         double cinq = erreur(gabarit, image(miroirs, L, H, 5));
         double cent = erreur(gabarit, image(miroirs, L, H, 100));
@@ -65,7 +67,7 @@ class GabaritTest {
     @ParameterizedTest(name = "{0}, lampes × {1}, {2} point(s) par côté")
     @CsvSource({"scene1, 1, 3", "scene1, 12, 1", "bowling, 12, 2"})
     void lErreurEstLEcartAUneGrilleFine(String nom, double eclat, int cote) {
-        Scene lue = Scenes.lire(LecteurScene.trouver("scenes/" + nom + ".ini"));
+        Scene lue = scene(nom);
         Scene scene = new Scene(lue.getObjets(), lue.getLampes().stream()
                 .map(l -> new Lampe(l.getPosition(), l.getCouleur().mul(eclat))).collect(Collectors.toList()))
                 .avec(new Modele().avecSeuil(0));

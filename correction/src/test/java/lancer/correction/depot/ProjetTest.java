@@ -69,8 +69,8 @@ class ProjetTest extends DepotEssai {
     @Test
     void unNomChangeSeConstateEtNeSeDevinePas() throws IOException {
         classes("TP", c -> SourcesDuCours.corrige(c).replaceAll("\\bScene\\b", "Monde").replace("getNormale", "normale"), TOUTES);
-        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
-                + "du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
+        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une "
+                + "copie du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Objet3D.getNormale absente ; prend et rend la même chose : normale",
                 COMME + "Monde.getClosestIntersection, Sphere.getIntersectionDistance"), projet().aRegarder);
     }
@@ -200,8 +200,8 @@ class ProjetTest extends DepotEssai {
         classes("TP1_final", c -> SourcesDuCours.corrige(c).replaceFirst("(?m)^}", "    int achevee;\n}"), TOUTES);
         Projet lu = projet();
         SourcesDuCours.A_COMPLETER.forEach(c -> assertTrue(lu.texte(c).contains("achevee"), c));
-        assertEquals(List.of("TP1/src/ : laissé de côté, le projet est dans TP1_final/src/, qui a moins de FIXME : Camera, Lancer, Objet3D, "
-                + "Point, Rayon…"), lu.remarques);
+        assertEquals(List.of("TP1/src/ : laissé de côté, le projet est dans TP1_final/src/, qui a moins de FIXME : Camera, Lancer, "
+                + "Objet3D, Point, Rayon…"), lu.remarques);
     }
 
     @Test

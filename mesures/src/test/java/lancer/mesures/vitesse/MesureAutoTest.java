@@ -7,8 +7,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
-import lancer.mesures.scenes.SceneAuHasard;
+import lancer.Scene;
 import lancer.mesures.scenes.Scenes;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,7 +23,8 @@ class MesureAutoTest {
     /** Plus d'erreur permise ne coûte jamais plus cher ; sur une scène simple, aucune erreur n'est dite tenue à tort. */
     @Test
     void uneSceneSimpleEstTenue() {
-        List<MesureAuto.Reponse> reponses = MesureAuto.repondre("sort-3", SceneAuHasard.de(3), new Taille(96, 72), 2, 4, 8);
+        Scene diffus = Scenes.lire(LecteurScene.trouver("scenes/diffus.ini"));
+        List<MesureAuto.Reponse> reponses = MesureAuto.repondre("diffus", diffus, new Taille(96, 72), 2, 4, 8);
         double prix = Double.POSITIVE_INFINITY;
         for (MesureAuto.Reponse r : reponses) {
             assertTrue(!r.verdict.equals("tenue") || r.nombre("vraie") <= r.nombre("voulue"), r.ligne);
