@@ -165,14 +165,6 @@ class AutoTest {
         assertEquals("[Grille] n=1" + fin, dire(auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100)));
     }
 
-    @Test
-    void ceQuAucunEchelonNeTientEstDitDepasse() {
-        Auto auto = auto(damier(), LARGEUR, HAUTEUR, SANS, 4);
-        dessiner(auto);
-        assertTrue(auto.getMesure().erreur > 4);
-        assertEquals("erreur voulue dépassée", auto.getVerdict());
-    }
-
     /** Juste sur les pixels essayés, faux sur un pavé entier : seule l'image dessinée le montre. */
     @Test
     void uneImagePlusFausseQueLesEssaisEstRepriseUneFois() {

@@ -265,29 +265,12 @@ public final class Essai {
      */
     public static void verifierReference(String reference, Path dossier) throws IOException {
         Path image = dossier.resolve("image.pfm");
-        double ecart = ecart(pfm(Files.readAllBytes(image)), pfm(octets(Essai.class, "/reference/" + reference)));
+        double ecart = Ressources.ecart(pfm(Files.readAllBytes(image)), pfm(octets(Essai.class, "/reference/" + reference)));
         if (ecart > 1e-6 && Boolean.getBoolean("references.refaites")) {
             Files.copy(image, Path.of("src/test/resources/reference", reference), StandardCopyOption.REPLACE_EXISTING);
             System.out.println("changée : " + reference);
         } else if (!(ecart <= 1e-6)) {
             throw new AssertionError(reference + " : écart " + ecart);
         }
-    }
-
-    /** Le plus grand écart, composante par composante ; infini si les tailles diffèrent ou si un nombre n'est pas fini. */
-    private static double ecart(float[] a, float[] b) {
-        if (a.length != b.length) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double plusGrand = 0;
-        for (int k = 0; k < a.length; k++) {
-            double ecart = Math.abs((double) a[k] - b[k]);
-            // la comparaison est fausse pour NaN
-            if (!(ecart <= Float.MAX_VALUE)) {
-                return Double.POSITIVE_INFINITY;
-            }
-            plusGrand = Math.max(plusGrand, ecart);
-        }
-        return plusGrand;
     }
 }

@@ -59,15 +59,19 @@ public final class Ressources {
             composantes[k + 2] = (float) coul.b;
         }
 
-        /** La plus grande différence avec une autre image, composante par composante ; +∞ si un nombre n'est pas fini. */
-        public double ecart(Image autre) {
-            double pire = largeur == autre.largeur && hauteur == autre.hauteur ? 0 : Double.POSITIVE_INFINITY;
-            for (int k = 0; k < composantes.length; k++) {
-                double d = Math.abs(composantes[k] - autre.composantes[k]);
-                pire = d <= pire ? pire : Double.isNaN(d) ? Double.POSITIVE_INFINITY : d;
-            }
-            return pire;
+        public boolean estFinie() {
+            return ecart(composantes, composantes) == 0;
         }
+    }
+
+    /** La plus grande différence, composante par composante ; +∞ si les tailles diffèrent ou si un nombre n'est pas fini. */
+    static double ecart(float[] a, float[] b) {
+        double pire = a.length == b.length ? 0 : Double.POSITIVE_INFINITY;
+        for (int k = 0; k < Math.min(a.length, b.length); k++) {
+            double d = Math.abs((double) a[k] - b[k]);
+            pire = d <= pire ? pire : Double.isNaN(d) ? Double.POSITIVE_INFINITY : d;
+        }
+        return pire;
     }
 
     public static Sphere boule(double x, double y, double z, double rayon, double kd, double ks, double ns) {

@@ -10,17 +10,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import lancer.Camera;
-import lancer.Couleur;
 import lancer.Scene;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.contrat.Releve;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.EssaiPixel;
 import lancer.essai.Ressources;
 import lancer.inspection.Inspection;
-import lancer.inspection.Recit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,30 +43,6 @@ class PixelTest extends EssaiCommande {
         Scene vide = new Scene(List.of(), List.of()).avec(modele.construire());
         new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire(() -> false);
         assertEquals(2, rayons[0]);
-    }
-
-    @Test
-    void unEchantillonnageQuiPartageDesPointsRecoitToutLePave() {
-        // chaque pixel vaut le nombre de pixels du pavé
-        Echantillonnage voisins = (pave, voulus, vue, toile) -> {
-            for (int j = pave.j0; j < pave.j1; j++) {
-                for (int i = pave.i0; i < pave.i1; i++) {
-                    toile.drawPixel(new Couleur((pave.i1 - pave.i0) * (pave.j1 - pave.j0)), i, j);
-                }
-            }
-            return Releve.RIEN;
-        };
-        Scene lue = new Scene(SCENE);
-        Scene scene = lue.avec(lue.getModele().avec(voisins, 0));
-        Camera camera = new Camera(40, 70);
-        assertEquals(List.of("pixel 31, 31", "somme 1024.0 1024.0 1024.0 = #FFFFFF"), recit(scene, camera, 31, 31));
-        assertEquals(List.of("pixel 32, 69", "somme 48.0 48.0 48.0 = #FFFFFF"), recit(scene, camera, 32, 69));
-    }
-
-    private static List<String> recit(Scene scene, Camera camera, int x, int y) {
-        Inspection pixel = new Inspection(scene, chose -> null, camera, 5, x, y);
-        pixel.faire(() -> false);
-        return new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
     }
 
     @Test

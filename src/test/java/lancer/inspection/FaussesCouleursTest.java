@@ -19,6 +19,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.essai.Ombre;
 import lancer.image.ImageMemoire;
 import lancer.texte.Nombre;
 import org.junit.jupiter.api.Test;
@@ -32,14 +33,6 @@ class FaussesCouleursTest {
 
     private final Scene scene = new Scene("scenes/scene1.ini");
     private final Camera camera = new Camera(L, H);
-
-    private int[] vue(String nom) {
-        return vue(scene, nom);
-    }
-
-    private int[] vue(Scene vue, String nom) {
-        return dessiner(vue, nom).codes;
-    }
 
     private ImageMemoire dessiner(Scene vue, String nom) {
         ImageMemoire image = new ImageMemoire(L, H, true);
@@ -63,7 +56,7 @@ class FaussesCouleursTest {
             PointContact contact = contact(k);
             Vecteur N = contact == null ? null : contact.objet.getNormale(contact);
             return N == null ? new Couleur() : new Couleur((N.x + 1) / 2, (N.y + 1) / 2, (N.z + 1) / 2);
-        }, vue("normales"));
+        }, dessiner(scene, "normales").codes);
     }
 
     @Test
@@ -115,19 +108,18 @@ class FaussesCouleursTest {
             PointContact contact = contact(k);
             double eclairent = 0;
             for (Lampe lampe : contact == null ? List.<Lampe>of() : lampes) {
-                Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-                eclairent += contact.objet.getNormale(contact).dot(versLampe) > 0 && !scene.estCachee(lampe, contact,
-                        versLampe.normalized(), versLampe.norme(), contact.objet) ? 1 : 0;
+                eclairent += contact.objet.getNormale(contact).dot(new Vecteur(contact, lampe.getPosition())) > 0
+                        && !Ombre.cachee(scene, lampe, contact, contact.objet) ? 1 : 0;
             }
             return new Couleur(eclairent / lampes.size());
-        }, vue("lampes"));
+        }, dessiner(scene, "lampes").codes);
         Scene sansLampe = new Scene(scene.getObjets(), List.of());
-        assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(sansLampe, "lampes")).distinct().toArray());
+        assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(dessiner(sansLampe, "lampes").codes).distinct().toArray());
     }
 
     @Test
     void lesRayonsSeComptentSurUneEchelleLogarithmiqueJusquAuPlusGrandNombre() {
-        int[] codes = vue("rayons");
+        int[] codes = dessiner(scene, "rayons").codes;
         double[] rayons = new double[codes.length];
         for (int k = 0; k < codes.length; k++) {
             Lancer sien = new Lancer(scene.avec(scene.getModele()), camera);
@@ -185,7 +177,7 @@ class FaussesCouleursTest {
     void uneSceneVideEstNoireDeToutesLesFacons() {
         Scene vide = new Scene(List.of(), List.of(new Lampe(new Point(0, 5, 0), new Couleur(1))));
         for (String nom : new String[] {"normales", "distance", "lampes", "rayons"}) {
-            assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(vide, nom)).distinct().toArray(), nom);
+            assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(dessiner(vide, nom).codes).distinct().toArray(), nom);
         }
     }
 }

@@ -43,6 +43,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
 class InspectionTest {
 
+    private static final Lampe DERRIERE = new Lampe(new Point(0, 0, -5), new Couleur(1));
+
     @TempDir
     Path dossier;
 
@@ -58,8 +60,28 @@ class InspectionTest {
         return inspecter(scene, chose -> null, new Camera(9, 9), 5, 4, 4);
     }
 
-    private static Recit recitDe(Inspection pixel) {
-        return new Recit(pixel, Double::toString, Double::toString);
+    private static List<String> recitDe(Inspection pixel) {
+        return new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
+    }
+
+    private static Scene scene(Sphere boule, Lampe... lampes) {
+        return new Scene(List.of(boule), List.of(lampes));
+    }
+
+    /** Une boule devant l'écran, dont un étudiant a écrit getColor à sa façon : de la couleur des équations, celle-ci. */
+    private static class Boule extends Sphere {
+
+        private final UnaryOperator<Couleur> sienne;
+
+        Boule(double z, double rayon, UnaryOperator<Couleur> sienne) {
+            super(new Point(0, 0, z), rayon);
+            this.sienne = sienne;
+        }
+
+        @Override
+        public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+            return sienne.apply(super.getColor(scene, incident, contact, profondeur));
+        }
     }
 
     @ParameterizedTest
@@ -96,21 +118,14 @@ class InspectionTest {
     void ceQueLesTermesNExpliquentPasEstAutre(int change) {
         UnaryOperator<Couleur> fausse = List.<UnaryOperator<Couleur>>of(c -> c.add(new Couleur(0.1, 0.02, 0.3)), c -> c.div(7),
                 c -> new Couleur(), c -> new Couleur(c.b, c.v, c.r)).get(change);
-        List<Sphere> boules = new ArrayList<>();
-        for (double[] b : new double[][] {{0, 0, 8, 2}, {0, 0, -9, 3}}) {
-            Sphere boule = new Sphere(new Point(b[0], b[1], b[2]), b[3]) {
-                @Override
-                public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
-                    return fausse.apply(super.getColor(scene, incident, contact, profondeur));
-                }
-            };
+        List<Boule> boules = List.of(new Boule(8, 2, fausse), new Boule(-9, 3, fausse));
+        for (Boule boule : boules) {
             boule.setKd(new Couleur(0.2, 0.3, 0.9));
             boule.setKs(new Couleur(0.5));
-            boules.add(boule);
         }
         Inspection pixel = auMilieu(new Scene(boules, List.of(new Lampe(new Point(0, 5, 0), new Couleur(1)))));
         assertEquals(6, pixel.getSegments().size());
-        List<String> lignes = recitDe(pixel).raconter().lignes();
+        List<String> lignes = recitDe(pixel);
         for (Segment segment : pixel.getSegments()) {
             Couleur termes = segment.eclairages.get(0).apport;
             Couleur somme = segment.reflet == null ? termes : termes.add(segment.reflet);
@@ -134,7 +149,7 @@ class InspectionTest {
             }
         };
         deviee.setKs(new Couleur(0.5));
-        Inspection pixel = auMilieu(new Scene(List.of(deviee), List.of()));
+        Inspection pixel = auMilieu(scene(deviee));
         assertEquals(new Vecteur(0, 1, 0), pixel.getSegments().get(1).rayon.getV());
         assertEquals(new Couleur(), pixel.getSegments().get(0).autre);
     }
@@ -153,7 +168,7 @@ class InspectionTest {
         Inspection pixel = inspecter(new Scene(List.of(), List.of()), chose -> null, camera, 5, 4, 4);
         Couleur autre = pixel.getCouleur().sub(pixel.getSegments().get(0).somme);
         assertNotEquals(new Couleur(), autre);
-        List<String> lignes = recitDe(pixel).raconter().lignes();
+        List<String> lignes = recitDe(pixel);
         assertEquals("autre = " + composantes(autre) + " (que le récit ne connaît pas)", lignes.get(lignes.size() - 2));
     }
 
@@ -199,7 +214,7 @@ class InspectionTest {
         for (int reflets : new int[] {0, 1, 3}) {
             Inspection pixel = inspecter(scene, chose -> null, new Camera(80, 60), reflets, 40, 30);
             segments.add(pixel.getSegments().size());
-            List<String> lignes = recitDe(pixel).raconter().lignes();
+            List<String> lignes = recitDe(pixel);
             String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
             assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
             assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
@@ -245,10 +260,7 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(List.of(), List.of()), chose -> null,
-                camera, 5, 4, 4);
-        pixel.faire(() -> false);
-        List<String> lignes = recitDe(pixel).raconter().lignes();
+        List<String> lignes = recitDe(inspecter(new Scene(List.of(), List.of()), chose -> null, camera, 5, 4, 4));
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
         assertEquals(2, lignes.size());
@@ -258,18 +270,14 @@ class InspectionTest {
     void uneSceneSansFichierNommeSesObjetsParLeurRang() {
         Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
         sphere.setKd(new Couleur(1));
-        Scene scene = new Scene(List.of(sphere),
-                List.of(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
+        List<String> lignes = recitDe(auMilieu(scene(sphere, DERRIERE)));
         assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
         assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
     }
 
     /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
     private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
-        Scene scene = new Scene(List.of(sphere),
-                List.of(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(new Modele().avec(echantillonnage, Constantes.SEUIL));
-        return recitDe(auMilieu(scene)).raconter().lignes();
+        return recitDe(auMilieu(scene(sphere, DERRIERE).avec(new Modele().avec(echantillonnage, Constantes.SEUIL))));
     }
 
     /** Neuf échantillons, et le pixel vaut leur somme divisée par ce nombre. */
@@ -286,12 +294,7 @@ class InspectionTest {
 
     @Test
     void laCouleurDUneFormeQuiSeColoreASaFaconEstAutre() {
-        Sphere sphere = new Sphere(new Point(0, 0, 8), 2) {
-            @Override
-            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
-                return new Couleur(0.25, 0.5, 0.75);
-            }
-        };
+        Sphere sphere = new Boule(8, 2, c -> new Couleur(0.25, 0.5, 0.75));
         List<String> lignes = recitDUneForme(sphere, neuf(9));
         assertEquals("9 échantillons", lignes.get(1));
         assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
@@ -327,17 +330,12 @@ class InspectionTest {
     void lesSegmentsQuiPrecedentUnEchecSeDisent() {
         Sphere miroir = new Sphere(new Point(0, 0, 8), 2);
         miroir.setKs(new Couleur(0.5));
-        Sphere derriere = new Sphere(new Point(0, 0, -50), 9) {
-            @Override
-            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
-                throw new IllegalStateException("boum");
-            }
-        };
-        Inspection pixel = new Inspection(new Scene(List.of(miroir, derriere), List.of()), chose -> null,
-                new Camera(9, 9), 5, 4, 4);
-        pixel.faire(() -> false);
+        Sphere derriere = new Boule(-50, 9, c -> {
+            throw new IllegalStateException("boum");
+        });
+        Inspection pixel = auMilieu(new Scene(List.of(miroir, derriere), List.of()));
         assertEquals("boum", pixel.getFaute().getCause().getMessage());
-        List<String> lignes = recitDe(pixel).raconter().lignes();
+        List<String> lignes = recitDe(pixel);
         assertEquals(List.of("2  objet 2", "1  objet 1"),
                 lignes.stream().filter(ligne -> ligne.matches("\\d+  .*")).collect(Collectors.toList()));
         assertTrue(lignes.get(lignes.size() - 1).startsWith("échec : java.lang.IllegalStateException: boum ("), lignes.toString());
@@ -352,8 +350,7 @@ class InspectionTest {
                 return 10;
             }
         };
-        List<String> lignes = recitDe(auMilieu(new Scene(List.of(new Sphere(new Point(0, 0, 8), 2), muette),
-                List.of()))).raconter().lignes();
+        List<String> lignes = recitDe(auMilieu(new Scene(List.of(new Sphere(new Point(0, 0, 8), 2), muette), List.of())));
         assertTrue(lignes.contains("    rival objet 2  d = 10.0"), lignes.toString());
     }
 }

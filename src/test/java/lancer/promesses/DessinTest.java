@@ -12,7 +12,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
@@ -144,13 +143,5 @@ class DessinTest {
         }, 5, 1));
         assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");
-    }
-
-    @Test
-    void lesTaillesExtremesNOntQueDesNombresFinis() {
-        for (int[] taille : new int[][] {{1, 1}, {1, 500}, {500, 1}, {33, 65}}) {
-            Ressources.Image image = image(new Scene(Ressources.chemin("reference/p1-quatre.ini")), taille[0], taille[1], 5, 2);
-            assertEquals(0, image.ecart(image), Arrays.toString(taille));
-        }
     }
 }

@@ -12,7 +12,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,8 +27,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Pave;
-import lancer.contrat.Releve;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import org.junit.jupiter.api.Test;
@@ -159,29 +156,5 @@ class EgalitesTest {
             }
         }
         assertTrue(egales > 5, egales + " pixels");
-    }
-
-    /** Les pavés ne sont qu'un partage du travail : d'autres, de toutes formes, donnent les mêmes bits. */
-    @Test
-    void leDecoupageEnPavesNeChangePasUnBit() {
-        Ressources.Image attendue = imageRapide(foule(), new Camera(90, 70), 5);
-        for (int[] pas : new int[][] {{1, 1}, {5, 3}, {90, 1}, {1, 70}}) {
-            Scene foule = foule();
-            Scene scene = foule.avec(foule.getModele().avec((pave, voulus, vue, toile) -> {
-                // de droite à gauche et de bas en haut, pour que l'ordre change aussi
-                for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
-                    for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
-                        Pave petit = new Pave(Math.max(pave.i0, i - pas[0]), Math.max(pave.j0, j - pas[1]), i, j);
-                        for (int p = petit.i0; p < petit.i1; p++) {
-                            for (int q = petit.j0; q < petit.j1; q++) {
-                                toile.drawPixel(vue.couleur(p + 0.5, q + 0.5), p, q);
-                            }
-                        }
-                    }
-                }
-                return Releve.RIEN;
-            }, Constantes.SEUIL));
-            assertTrue(memesBits(attendue, imageRapide(scene, new Camera(90, 70), 5)), Arrays.toString(pas));
-        }
     }
 }

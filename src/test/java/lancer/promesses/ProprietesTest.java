@@ -7,28 +7,20 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Point;
-import lancer.PointContact;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Ressources;
-import lancer.essai.Tirages;
-import lancer.rapide.Structuree;
 import org.junit.jupiter.api.Test;
 
-/** Ce qui est vrai de tous les vecteurs, rayons, sphères et scènes : tirages à graine fixe. */
+/** Ce qui est vrai de tous les vecteurs et de toutes les scènes : tirages à graine fixe. */
 class ProprietesTest {
 
     private static final int TIRAGES = 20_000;
-    private static final int RAYONS = 100_000;
-    private static final int PAR_SCENE = 1_000;
-    private static final Camera CAMERA = new Camera(50, 40);
 
     /** Précision relative de la double précision. */
     private static final double U = 0x1p-53;
@@ -83,16 +75,6 @@ class ProprietesTest {
     }
 
     @Test
-    void laNormaleEstUnitaireMemePourUneSpherePlusPetiteQueSesCoordonnees() {
-        for (int k = 0; k < TIRAGES; k++) {
-            Point c = point(1e6);
-            double r = Math.pow(10, -100 * hasard.nextDouble());
-            Sphere sphere = new Sphere(c, r);
-            assertEquals(1, sphere.getNormale(c.add(vecteur(r))).norme(), 8 * U, "tirage " + k);
-        }
-    }
-
-    @Test
     void uneSceneExtremeNAQueDesCouleursFinies() {
         for (int k = 0; k < 300; k++) {
             Sphere[] boules = new Sphere[6];
@@ -112,64 +94,7 @@ class ProprietesTest {
                             new Lampe(boules[1].getCentre(), new Couleur(1e6))));
             Ressources.Image image = new Ressources.Image(9, 9);
             new Lancer(scene, new Camera(9, 9)).TracerImage(image, 20, 1);
-            assertEquals(0, image.ecart(image), "tirage " + k);
+            assertTrue(image.estFinie(), "tirage " + k);
         }
-    }
-
-    private static Vecteur reflechi(Vecteur V, Vecteur N) {
-        return V.sub(N.mul(2 * V.dot(N))).normalized();
-    }
-
-    /** Kd, Ks ≤ 1, aucune lampe : au bout des miroirs il n'y a que le ciel, et chaque miroir n'en rend qu'une part. */
-    @Test
-    void sansLampeOnNeVoitJamaisPlusBrillantQueLeCielAuBoutDesMiroirs() {
-        Tirages tirages = new Tirages(44);
-        int auCiel = 0;
-        for (int n = 0; n < RAYONS; n += PAR_SCENE) {
-            Scene scene = Structuree.scene(scene(tirages.boules(2 + tirages.hasard.nextInt(20))), CAMERA);
-            for (int k = 0; k < PAR_SCENE; k++) {
-                Rayon premier = new Rayon(tirages.point(), tirages.direction());
-                Couleur vue = scene.getCouleurVue(Rayon.unitaire(premier.getP(), premier.getV()), null, 12);
-                Couleur part = new Couleur(1);
-                Rayon rayon = premier;
-                PointContact contact = scene.getClosestIntersection(rayon);
-                for (int reflets = 0; contact != null && reflets < 12; reflets++) {
-                    part = part.mul(contact.objet.getKs());
-                    rayon = Rayon.reflechi(contact, reflechi(rayon.getV(), contact.objet.getNormale(contact)), part);
-                    contact = scene.getClosestIntersection(rayon, contact.objet);
-                }
-                Couleur ciel = contact == null ? rayon.getSkyColor() : new Couleur();
-                String cas = "graine 44, rayon " + (n + k) + " : " + vue + ", ciel " + ciel;
-                assertTrue(vue.r <= ciel.r && vue.v <= ciel.v && vue.b <= ciel.b, cas);
-                // et exactement cette part, à l'ordre des produits près
-                assertEquals(part.r * ciel.r, vue.r, 1e-12, cas);
-                assertEquals(part.v * ciel.v, vue.v, 1e-12, cas);
-                assertEquals(part.b * ciel.b, vue.b, 1e-12, cas);
-                auCiel += rayon != premier && contact == null ? 1 : 0;
-            }
-        }
-        assertTrue(auCiel > RAYONS / 10, auCiel + " rayons réfléchis jusqu'au ciel");
-    }
-
-    /** Un nombre qui s'écrit avec peu de bits : la somme de deux d'entre eux ne s'arrondit pas. */
-    private static double court(double x) {
-        return Math.rint(x * 0x1p20) / 0x1p20;
-    }
-
-    @Test
-    void deplacerEnsembleSphereEtRayonSansArrondiNeChangePasUnBit() {
-        Tirages tirages = new Tirages(46);
-        int touches = 0;
-        for (int k = 0; k < RAYONS; k++) {
-            Point p = new Point(court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)));
-            Point c = new Point(court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)));
-            Vecteur saut = new Vecteur(court(tirages.entre(-1e6, 1e6)), court(tirages.entre(-1e6, 1e6)), court(tirages.entre(-1e6, 1e6)));
-            double r = tirages.entre(0.1, 2);
-            Vecteur v = new Vecteur(p, c).add(tirages.direction().mul(1.2 * r)).normalized();
-            double t = new Sphere(c, r).getIntersectionDistance(new Rayon(p, v));
-            assertEquals(t, new Sphere(c.add(saut), r).getIntersectionDistance(new Rayon(p.add(saut), v)), "graine 46, tirage " + k);
-            touches += t < Constantes.INFINI ? 1 : 0;
-        }
-        assertTrue(touches > RAYONS / 4, touches + " touchés");
     }
 }

@@ -8,10 +8,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Les nombres des pages, et ceux des fichiers. */
+/** Les nombres des pages, ceux des fichiers, et ce qui se sait d'un nombre mesuré. */
 class NombresTest {
 
     @Test
@@ -29,6 +31,16 @@ class NombresTest {
         assertEquals("0,83 niveau", Nombres.niveaux(0.832));
         assertEquals("1,9 niveau", Nombres.niveaux(1.94));
         assertEquals("2 niveaux", Nombres.niveaux(1.96));
+    }
+
+    @Test
+    void dixNeufFoisSurVingtLErreurJusteEstDansLIntervalle() {
+        Random hasard = new Random(2);
+        // un pixel sur dix a une erreur de 10, les autres aucune
+        long dedans = Stream.generate(() -> Intervalle.deLaRacine(hasard.doubles(2000).map(x -> x < 0.1 ? 100 : 0).toArray())).limit(2000)
+                .filter(i -> i.min <= Math.sqrt(10) && i.max >= Math.sqrt(10)).count();
+        assertEquals(0.95, dedans / 2000.0, 0.015);
+        assertEquals(2, Intervalle.mediane(4, 1, 1, 4), 1e-12);
     }
 
     @Test

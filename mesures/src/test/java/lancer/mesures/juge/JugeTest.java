@@ -1,9 +1,13 @@
 package lancer.mesures.juge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,11 +15,14 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Scene;
 import lancer.contrat.Modele;
+import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Le juge. */
+/** Le juge : l'accord de deux images, et la commande povray, une fausse, qui note ce qu'on lui demande et rend une image toute faite. */
 class JugeTest {
 
     private static final String TAILLE = ScenesJugees.LARGEUR + "x" + ScenesJugees.HAUTEUR;
@@ -123,6 +130,58 @@ class JugeTest {
         assertEquals("", texte(sortie).replaceAll("(?s)Le juge est.*verdict\\s*", ""));
         assertEquals(1, texte(erreurs).split("\n").length, texte(erreurs));
         assertTrue(texte(erreurs).startsWith("Juge : "), texte(erreurs));
+    }
+
+    private Raster dessiner(int echecs, WritableRaster rendue) throws IOException {
+        ScenesJugees.preparer(dossier, echecs, rendue);
+        PovRay povray = new PovRay(ScenesJugees.commande(dossier), dossier);
+        povray.ecrire("essai", "la scène");
+        return povray.dessiner("essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
+    }
+
+    private String panne(int echecs, WritableRaster rendue) {
+        return assertThrows(IOException.class, () -> dessiner(echecs, rendue)).getMessage();
+    }
+
+    @Test
+    void unDessinManqueEstRedemandeUneFoisEtDeuxSontUnePanneQuiSeDit() throws IOException {
+        WritableRaster image = ScenesJugees.image(ScenesJugees.deuxBoules(new Couleur(0.5)));
+        assertEquals(ScenesJugees.LARGEUR, dessiner(1, image).getWidth());
+        assertEquals(2, Files.readAllLines(dossier.resolve("demandes")).size());
+        assertEquals(dossier.resolve("povray") + " n'a pas dessiné essai, statut 3 : Fatal error: en retard", panne(9, image));
+    }
+
+    @Test
+    void uneImageDe8BitsEstRefusee() {
+        String panne = panne(0, Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, 3, null));
+        assertTrue(panne.contains("image inattendue"), panne);
+    }
+
+    /** Une image noire où ces composantes ont autant de pas de 16 bits : trois nombres, le pixel, la composante et les pas. */
+    private static Juge.Accord accord(double[]... ecarts) {
+        ImageLineaire lui = new ImageLineaire(100, 50);
+        for (double[] ecart : ecarts) {
+            lui.getComposantes()[(int) (3 * ecart[0] + ecart[1])] += ecart[2] / 65535;
+        }
+        return new Juge.Accord(new ImageLineaire(100, 50), lui);
+    }
+
+    @Test
+    void lesPixelsAuDelaDUnPasSontComptesUneFoisChacun() {
+        // un pas de 8 bits en vaut 257 de 16
+        Juge.Accord accord = accord(new double[][] {{203, 0, 258}, {203, 1, 300}, {2007, 2, 256}, {2009, 2, 0.9}});
+        assertEquals(1, accord.auDela8);
+        assertEquals(2, accord.auDela16);
+        assertEquals(300 / 257.0, accord.pire, 1e-9);
+        assertEquals(203, accord.pirePixel);
+        assertFalse(accord.estLa());
+    }
+
+    @Test
+    void lAccordTientAUnPixelSurMilleDePlusDUnPasDe16Bits() {
+        double[][] six = {{0, 0, 40}, {1, 0, 40}, {2, 0, 40}, {3, 0, 40}, {4, 0, 40}, {5, 2, 40}};
+        assertTrue(accord(Arrays.copyOf(six, 5)).estLa());
+        assertFalse(accord(six).estLa());
     }
 
     @Test

@@ -147,10 +147,9 @@ class VitesseTest {
         noter("poussiere", Catalogue.UN_NIVEAU, 2, 0.94);
         noter("poussiere", Reglage.partage(4, 0.07), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
-        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % "
-                + "des "
+        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % des "
                 + "pixels visiblement faux<br>rayons × 1, temps × 1</td><td><b>un rayon</b><br>au pire 12 niveaux (de 11 à 13, poussiere)"),
-                        table);
+                table);
         // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
         assertTrue(table.contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
         assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=12 seuil=0.045</b><br>au pire 0,94 niveau"), table);
@@ -167,8 +166,7 @@ class VitesseTest {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
         noter("scene1", Reglage.partage(16, 0.02), 1.5, 0.1);
         assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; "
-                + "moins "
-                + "que l'arrondi de l'écran</td><td><b>partage"));
+                + "moins que l'arrondi de l'écran</td><td><b>partage"));
     }
 
     @Test
@@ -176,10 +174,14 @@ class VitesseTest {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
         resultats.toutes.get(0).processeurs = Double.NaN;
         Map<String, String> pages = new Tableaux(resultats).pages();
-        assertTrue(pages.get("choisir").contains("un niveau au plus ; moins que l'arrondi de l'écran</td><td>rien de ce qui est "
-                + "mesuré</td>"),
-                pages.get("choisir"));
+        assertTrue(pages.get("choisir").contains("moins que l'arrondi de l'écran</td><td>rien de ce qui est mesuré</td>"), pages.get("choisir"));
         assertEquals("pas encore mesuré", pages.get("machine"));
+    }
+
+    @Test
+    void unTempsNEstDitPlusLongQuAuDelaDUnDixieme() {
+        assertEquals("autant, à un dixième près", Tableaux.rapport(0.92));
+        assertEquals("× 3", Tableaux.rapport(3));
     }
 
     @Test
