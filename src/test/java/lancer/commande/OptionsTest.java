@@ -87,11 +87,9 @@ class OptionsTest {
                 }
             }
             Reglages o = Options.lire(arguments.toArray(new String[0]));
-            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.get(Option.IMAGE) + " " + o.get(Option.LINEAIRE) + " "
-                    + o.get(Option.TAILLE).x + " " + o.get(Option.TAILLE).y
-                    + " " + o.get(Option.REFLETS) + " " + o.get(Option.SEUIL) + " " + o.get(Option.FILS) + " " + o.get(Option.REPETER) + " "
-                            + o.get(Option.STATISTIQUES)
-                    + " " + o.scene, arguments.toString());
+            assertEquals(List.of("a.png", "b.pfm", 30, 20, 7, 0.25, 3, 2, true, "s.ini"), List.of(o.get(Option.IMAGE),
+                    o.get(Option.LINEAIRE), o.get(Option.TAILLE).x, o.get(Option.TAILLE).y, o.get(Option.REFLETS), o.get(Option.SEUIL),
+                    o.get(Option.FILS), o.get(Option.REPETER), o.get(Option.STATISTIQUES), o.scene), arguments.toString());
         }
     }
 
@@ -188,10 +186,8 @@ class OptionsTest {
         "--taille=16384x1 --pixel=016383;0, 16383, 0"})
     void unPixelDeLImagePeutEtreDemande(String ligne, int x, int y) {
         Reglages o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
-        assertTrue(o.estDonnee(Option.PIXEL));
-        assertEquals(x, o.get(Option.PIXEL).x);
-        assertEquals(y, o.get(Option.PIXEL).y);
-        assertTrue(o.sansFenetre());
+        assertEquals(List.of(x, y), List.of(o.get(Option.PIXEL).x, o.get(Option.PIXEL).y));
+        assertTrue(o.estDonnee(Option.PIXEL) && o.sansFenetre());
     }
 
     @Test

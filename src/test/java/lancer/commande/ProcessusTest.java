@@ -32,8 +32,7 @@ class ProcessusTest extends EssaiProcessus {
     @Test
     void niAwtNiAutoNeSontChargesSurLeCheminDUnPng() throws Exception {
         assertEquals(0, statut(preparer(java("-verbose:class", "--image", "a.png", "--lineaire", "a.pfm", "--taille=80x60",
-                "--statistiques", SCENE))),
-                erreur());
+                "--statistiques", SCENE))), erreur());
         assertTrue(sortie().contains("lancer.Main "), "les classes chargées ne sont pas dites");
         for (String ligne : sortie().split("\r?\n")) {
             assertFalse(ligne.matches(

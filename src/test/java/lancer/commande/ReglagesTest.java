@@ -38,8 +38,7 @@ class ReglagesTest {
     void deuxReglagesSontEgauxSiChacunDeLeursReglagesLEst() {
         Section autre = new SectionLue("Gris", "part", "0.25");
         Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0.0),
-                lus.avec(Option.SIMPLE, true),
-            lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
+            lus.avec(Option.SIMPLE, true), lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
         for (Reglages change : changes) {
             assertNotEquals(lus, change);
         }
@@ -53,10 +52,9 @@ class ReglagesTest {
 
     @Test
     void lesOptionsEcritesRedonnentLesReglages() {
-        Reglages[] tous = {Options.lire(),
-                Options.lire().avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
+        Reglages[] tous = {Options.lire(), Options.lire().avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
             Options.lire().avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true),
-                    Options.lire().avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
+            Options.lire().avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
         for (Reglages ecrits : tous) {
             String options = ecrits.getOptions().trim();
             assertEquals(ecrits, Options.lire(options.isEmpty() ? new String[0] : options.split(" ")), options);

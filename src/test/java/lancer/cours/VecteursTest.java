@@ -3,10 +3,7 @@ package lancer.cours;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -16,8 +13,8 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.essai.Essai;
 import lancer.essai.Exact;
-import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -67,10 +64,8 @@ class VecteursTest {
     }
 
     private static List<Cas> cas() throws IOException {
-        try (BufferedReader entree = new BufferedReader(
-                new InputStreamReader(Ressources.ouvrir("vecteurs/vecteurs.txt"), StandardCharsets.UTF_8))) {
-            return entree.lines().filter(ligne -> !ligne.startsWith("#")).map(Cas::new).collect(Collectors.toList());
-        }
+        return Essai.ressource(VecteursTest.class, "/vecteurs/vecteurs.txt").lines().filter(ligne -> !ligne.startsWith("#")).map(Cas::new)
+                .collect(Collectors.toList());
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lancer.Main;
@@ -164,13 +165,9 @@ public abstract class EssaiProcessus {
         new ProcessBuilder("/bin/sh", "-c", "kill -INT " + pid).start().waitFor();
     }
 
-    protected interface Condition {
-        boolean vraie() throws IOException;
-    }
-
-    protected static void attendre(Condition condition) throws Exception {
+    protected static void attendre(Callable<Boolean> condition) throws Exception {
         long fin = System.nanoTime() + TimeUnit.SECONDS.toNanos(100);
-        while (!condition.vraie()) {
+        while (!condition.call()) {
             assertTrue(System.nanoTime() < fin, "attente trop longue");
             Thread.sleep(2);
         }

@@ -18,12 +18,6 @@ public final class Exact {
     /** La distance exacte, arrondie au double le plus proche ; +∞ s'il n'y a pas de contact. */
     public final double distance;
 
-    /**
-     * La demi-corde, +∞ si la droite ne touche pas la sphère. Près de 0, un chiffre perdu sur les données en coûte beaucoup au
-     * résultat.
-     */
-    public final double demiCorde;
-
     /** De combien la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
     public final double enfoncement;
 
@@ -54,14 +48,12 @@ public final class Exact {
         BigDecimal douteux = r.multiply(b.abs()).multiply(norme).multiply(new BigDecimal(16 * U));
         ambigu = c.signum() > 0 && b.signum() > 0 && discriminant.abs().compareTo(douteux) <= 0;
         if (discriminant.signum() < 0) {
-            demiCorde = Double.POSITIVE_INFINITY;
             distance = Double.POSITIVE_INFINITY;
             conditionnement = 1;
             exacte = null;
             return;
         }
         BigDecimal racine = discriminant.sqrt(PRECIS);
-        demiCorde = reel(racine.divide(norme, PRECIS), e);
         BigDecimal t = null;
         if (c.signum() > 0) {
             t = b.signum() > 0 ? c.divide(b.add(racine), PRECIS) : null;
@@ -72,7 +64,8 @@ public final class Exact {
         }
         exacte = t == null ? null : t.multiply(norme, PRECIS);
         distance = exacte == null ? Double.POSITIVE_INFINITY : reel(exacte, e);
-        conditionnement = 1 + rayon / demiCorde;
+        // près de la tangente, où la demi-corde est nulle, un chiffre perdu sur les données en coûte beaucoup au résultat
+        conditionnement = 1 + rayon / reel(racine.divide(norme, PRECIS), e);
     }
 
     /**

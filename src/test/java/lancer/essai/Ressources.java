@@ -1,11 +1,12 @@
 package lancer.essai;
 
-import java.io.InputStream;
+import java.io.File;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lancer.Camera;
@@ -16,6 +17,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.Toile;
 
@@ -34,8 +36,22 @@ public final class Ressources {
         }
     }
 
-    public static InputStream ouvrir(String nom) {
-        return Ressources.class.getResourceAsStream("/" + nom);
+    /** Les fichiers de ce dossier, et de ceux où l'on entre ; les autres peuvent changer pendant qu'on les cherche. */
+    public static List<Path> fichiers(Path dossier, Predicate<Path> entrer) {
+        List<Path> fichiers = new ArrayList<>();
+        for (File fichier : dossier.toFile().listFiles()) {
+            if (fichier.isFile()) {
+                fichiers.add(fichier.toPath());
+            } else if (fichier.isDirectory() && entrer.test(fichier.toPath())) {
+                fichiers.addAll(fichiers(fichier.toPath(), entrer));
+            }
+        }
+        return fichiers;
+    }
+
+    /** Les scènes de ce dossier, toujours dans le même ordre. */
+    public static List<Path> scenes(Path dossier) {
+        return fichiers(dossier, aucun -> false).stream().filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
     }
 
     /** Une image en couleurs non limitées : trois flottants par pixel, ligne par ligne depuis le haut. */
@@ -99,6 +115,12 @@ public final class Ressources {
         }
         return new Scene(boules, scene.getLampes().stream().map(lampe -> new Lampe(place.apply(lampe.getPosition()), lampe.getCouleur()))
                 .collect(Collectors.toList()));
+    }
+
+    /** La question de l'ombre, posée comme le fait {@link Objet3D#getColor}. */
+    public static boolean cachee(Scene scene, Lampe lampe, Point contact, Objet3D objet) {
+        Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+        return scene.estCachee(lampe, contact, versLampe.normalized(), versLampe.norme(), objet);
     }
 
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {

@@ -1,5 +1,6 @@
 package lancer.inspection;
 
+import static lancer.essai.Ressources.cachee;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -19,7 +20,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.essai.Ombre;
 import lancer.image.ImageMemoire;
 import lancer.texte.Nombre;
 import org.junit.jupiter.api.Test;
@@ -109,7 +109,7 @@ class FaussesCouleursTest {
             double eclairent = 0;
             for (Lampe lampe : contact == null ? List.<Lampe>of() : lampes) {
                 eclairent += contact.objet.getNormale(contact).dot(new Vecteur(contact, lampe.getPosition())) > 0
-                        && !Ombre.cachee(scene, lampe, contact, contact.objet) ? 1 : 0;
+                        && !cachee(scene, lampe, contact, contact.objet) ? 1 : 0;
             }
             return new Couleur(eclairent / lampes.size());
         }, dessiner(scene, "lampes").codes);

@@ -266,15 +266,6 @@ class InspectionTest {
         assertEquals(2, lignes.size());
     }
 
-    @Test
-    void uneSceneSansFichierNommeSesObjetsParLeurRang() {
-        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
-        sphere.setKd(new Couleur(1));
-        List<String> lignes = recitDe(auMilieu(scene(sphere, DERRIERE)));
-        assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
-        assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
-    }
-
     /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
     private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
         return recitDe(auMilieu(scene(sphere, DERRIERE).avec(new Modele().avec(echantillonnage, Constantes.SEUIL))));

@@ -1,6 +1,7 @@
 package lancer.limites;
 
 import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.cachee;
 import static lancer.essai.Ressources.scene;
 import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -23,7 +24,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Exact;
-import lancer.essai.Ombre;
 import lancer.rapide.Structuree;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,8 +76,8 @@ class OmbresTest {
                 Boolean c = s == eclairee ? Boolean.FALSE : coupe(contact, lampe.getPosition(), s);
                 attendu = attendu == null || c == null ? null : attendu || c;
             }
-            boolean lisible = Ombre.cachee(boucles, lampe, contact, eclairee);
-            assertEquals(lisible, Ombre.cachee(scene, lampe, contact, eclairee), nom + ", rapide, contact " + contact);
+            boolean lisible = cachee(boucles, lampe, contact, eclairee);
+            assertEquals(lisible, cachee(scene, lampe, contact, eclairee), nom + ", rapide, contact " + contact);
             if (attendu != null) {
                 assertEquals(attendu, lisible, nom + ", contact " + contact);
                 cachees += attendu ? 1 : 0;
@@ -122,8 +122,8 @@ class OmbresTest {
             Sphere eclairee = k % 2 == 0 ? dehors : dedans;
             Point contact = surLaSurface(eclairee, false);
             if (eclairee.getNormale(contact).dot(new Vecteur(contact, lampe)) > 0) {
-                boolean cachee = Ombre.cachee(scene, seule, contact, eclairee);
-                assertEquals(cachee, Ombre.cachee(rapide, seule, contact, eclairee), "rapide, contact " + contact);
+                boolean cachee = cachee(scene, seule, contact, eclairee);
+                assertEquals(cachee, cachee(rapide, seule, contact, eclairee), "rapide, contact " + contact);
                 faux += cachee == (eclairee == dehors) ? 1 : 0;
             }
         }
@@ -192,8 +192,8 @@ class OmbresTest {
             assertEquals(1, sortie.distance, 1e-15);
         }
         Lampe dehors = new Lampe(new Point(0.5, 9, 6), new Couleur(1));
-        assertTrue(Ombre.cachee(scene, dehors, depart, a), "b entoure le contact");
-        assertFalse(Ombre.cachee(scene, dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
+        assertTrue(cachee(scene, dehors, depart, a), "b entoure le contact");
+        assertFalse(cachee(scene, dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
     }
 
     /**
@@ -241,7 +241,7 @@ class OmbresTest {
             for (int k = 0; k < 60 * 60; k++) {
                 PointContact vu = scene.getClosestIntersection(camera.getRayon(k % 60 + 0.5, k / 60 + 0.5));
                 confondues += vu != null && (vu.objet != dehors || dehors.getNormale(vu).dot(new Vecteur(vu, lampe.getPosition())) > 0
-                        && Ombre.cachee(scene, lampe, vu, dehors)) ? 1 : 0;
+                        && cachee(scene, lampe, vu, dehors)) ? 1 : 0;
             }
         }
         return confondues;

@@ -5,12 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -18,6 +15,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -33,27 +31,18 @@ class PagesTest {
     @BeforeAll
     static void lire() throws IOException {
         Path racine = Paths.get("").toAbsolutePath();
-        Files.walkFileTree(racine, new SimpleFileVisitor<Path>() {
-            @Override
-            public FileVisitResult preVisitDirectory(Path dossier, BasicFileAttributes a) {
-                return dossier.getFileName().toString().matches("target|\\..*") ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
-            }
-
-            @Override
-            public FileVisitResult visitFile(Path fichier, BasicFileAttributes a) throws IOException {
-                String nom = fichier.getFileName().toString();
-                if (nom.matches(".*\\.(java|xml|md)|Makefile")) {
-                    String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
-                    // deux modules ont une classe Scene
-                    SOURCES.merge(nom.replace(".java", ""), nom.endsWith(".java") ? texte : "", String::concat);
-                    // le projet que reçoivent les étudiants n'est pas à sa place ici
-                    if (nom.endsWith(".md") && !racine.relativize(fichier).startsWith("correction")) {
-                        PAGES.put(fichier, texte);
-                    }
+        for (Path fichier : Ressources.fichiers(racine, dossier -> !dossier.getFileName().toString().matches("target|\\..*"))) {
+            String nom = fichier.getFileName().toString();
+            if (nom.matches(".*\\.(java|xml|md)|Makefile")) {
+                String texte = new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8);
+                // deux modules ont une classe Scene
+                SOURCES.merge(nom.replace(".java", ""), nom.endsWith(".java") ? texte : "", String::concat);
+                // le projet que reçoivent les étudiants n'est pas à sa place ici
+                if (nom.endsWith(".md") && !racine.relativize(fichier).startsWith("correction")) {
+                    PAGES.put(fichier, texte);
                 }
-                return FileVisitResult.CONTINUE;
             }
-        });
+        }
     }
 
     @Test

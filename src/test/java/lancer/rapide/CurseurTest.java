@@ -138,12 +138,7 @@ class CurseurTest {
             Vecteur v = new Vecteur(hasard.nextGaussian() / 3, hasard.nextGaussian() / 3, 1).normalized();
             Rayon rayon = Rayon.unitaire(ailleurs, k % 7 == 0 ? v.mul(1.5) : v);
             Objet3D depart = k % 2 == 0 || scene.getObjets().isEmpty() ? null : scene.getObjets().get(k % scene.getObjets().size());
-            scene.getClosestIntersection(rayon, depart);
-            double distance = rayon.getDistance();
-            Objet3D objet = rayon.getObjet();
-            boucles.getClosestIntersection(rayon, depart);
-            assertEquals(rayon.getDistance(), distance, nom + ", rayon " + k);
-            assertEquals(rayon.getObjet(), objet, nom + ", rayon " + k);
+            memeContact(boucles, scene, rayon, depart, nom + ", rayon " + k);
             for (Lampe lampe : scene.getLampes()) {
                 if (depart != null) {
                     assertEquals(boucles.estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
@@ -151,6 +146,16 @@ class CurseurTest {
                 }
             }
         }
+    }
+
+    /** Les boucles et la recherche donnent à ce rayon le même objet, à la même distance. */
+    private static void memeContact(Scene boucles, Scene recherche, Rayon rayon, Objet3D depart, String cas) {
+        boucles.getClosestIntersection(rayon, depart);
+        double distance = rayon.getDistance();
+        Objet3D objet = rayon.getObjet();
+        recherche.getClosestIntersection(rayon, depart);
+        assertEquals(distance, rayon.getDistance(), cas);
+        assertEquals(objet, rayon.getObjet(), cas);
     }
 
     /** Le même objet, lampe ou départ, ne décide de rien : un objet qui n'est pas de la scène, et une lampe qui n'en est pas. */
@@ -183,11 +188,8 @@ class CurseurTest {
         Scene rapide = Structuree.scene(boucles, CAMERA);
         for (double z : new double[] {20, 0, -2, -5, -8, -8.5}) {
             for (Objet3D depart : new Objet3D[] {null, objets.get(0)}) {
-                Rayon attendu = new Rayon(new Point(0, 0, z), new Vecteur(0, 0, -1));
                 Rayon rayon = new Rayon(new Point(0, 0, z), new Vecteur(0, 0, -1));
-                boucles.getClosestIntersection(attendu, depart);
-                rapide.getClosestIntersection(rayon, depart);
-                assertEquals(attendu.getDistance(), rayon.getDistance(), "de z = " + z);
+                memeContact(boucles, rapide, rayon, depart, "de z = " + z);
                 assertTrue(rayon.getDistance() < 30);
             }
         }
@@ -197,18 +199,13 @@ class CurseurTest {
     @Test
     void dansUneSceneMinusculeUnRayonQuiPartDeLOeilALaReponseDeTousLesObjets() {
         Scene boucles = Ressources.deplacee(ScenesDEssai.hostiles(60).get("nuage de boules mêlées"),
-                p -> new Point(1e-24 * p.x, 1e-24 * p.y, 1e-24 * p.z), 1e-24);
+                p -> Ressources.fois(p, 1e-24), 1e-24);
         Camera camera = new CameraPlacee(97, 61, new Point(), new Vecteur(0, 0, 1), 60);
         Scene rapide = Structuree.scene(boucles, camera);
         Random hasard = new Random(5);
         for (int k = 0; k < 2000; k++) {
             Vecteur v = new Vecteur(hasard.nextGaussian() / 3, hasard.nextGaussian() / 3, 1);
-            Rayon attendu = new Rayon(camera.getOeil(), v);
-            Rayon rayon = new Rayon(camera.getOeil(), v);
-            boucles.getClosestIntersection(attendu);
-            rapide.getClosestIntersection(rayon);
-            assertEquals(attendu.getDistance(), rayon.getDistance(), "rayon " + k);
-            assertEquals(attendu.getObjet(), rayon.getObjet(), "rayon " + k);
+            memeContact(boucles, rapide, new Rayon(camera.getOeil(), v), null, "rayon " + k);
         }
     }
 

@@ -3,12 +3,10 @@ package lancer.scene;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import lancer.essai.Ressources;
@@ -23,31 +21,24 @@ final class Abimeur {
 
     /** De quoi tomber juste plus souvent que des octets quelconques. */
     private static final String[] MOTS = {"\n", "\r", "\r\n", "\t", " ", "=", ":", ";", "#", "[", "]", "[]", "\\", "\\\n", "\0",
-            "\u001b[31m",
-        "\ufeff", "\u2028", "\u00a0", "\u0131", "\u212a", "\ud83d\ude00", "${a/b}", "${@env/HOME}", "<autre.ini>", "[Sphere 1]\n",
-        "[sphere]\n", "[Lampe 1]\n", "[Brume]\n", "[Antialias]\n", "[Blinn]\n", "[Cube]\n", "[Sphere", "centre=0 0.5 6\n", "rayon=1\n",
-        "Kd=0.9 0.15 0.1\n", "Ks=", "Kr=0 0 1\n", "ns=40\n", "position=-4 6 -3\n", "couleur=0.8 0.8 0.75\n", "NaN", "Infinity", "1e308",
-        "1e309",
-        "-1e100", "1e-100", "1e-101", "1e-400", "0x1p3", "1d", "1,5", "١", ".", "-.5", "+5.", "1e", "1e+", "99999999999999999999",
-        "0.1000000000000000055511151231257827021181583404541015625"};
+        "\u001b[31m", "\ufeff", "\u2028", "\u00a0", "\u0131", "\u212a", "\ud83d\ude00", "${a/b}", "${@env/HOME}", "<autre.ini>",
+        "[Sphere 1]\n", "[sphere]\n", "[Lampe 1]\n", "[Brume]\n", "[Antialias]\n", "[Blinn]\n", "[Cube]\n", "[Sphere", "centre=0 0.5 6\n",
+        "rayon=1\n", "Kd=0.9 0.15 0.1\n", "Ks=", "Kr=0 0 1\n", "ns=40\n", "position=-4 6 -3\n", "couleur=0.8 0.8 0.75\n", "NaN", "Infinity",
+        "1e308", "1e309", "-1e100", "1e-100", "1e-101", "1e-400", "0x1p3", "1d", "1,5", "١", ".", "-.5", "+5.", "1e", "1e+",
+        "99999999999999999999", "0.1000000000000000055511151231257827021181583404541015625"};
 
     /** Ce qu'un décodeur UTF-8 trop confiant laisserait passer : tronqué, trop long, moitié de paire, hors d'Unicode. */
     private static final byte[][] OCTETS_FAUX = {{(byte) 0xC3}, {(byte) 0xE2, (byte) 0x82}, {(byte) 0xF0, (byte) 0x9F, (byte) 0x98},
         {(byte) 0xC0, (byte) 0x8A}, {(byte) 0xED, (byte) 0xA0, (byte) 0x80}, {(byte) 0xF5, (byte) 0x80, (byte) 0x80, (byte) 0x80},
-        {(byte) 0xFF},
-        {(byte) 0xFE, (byte) 0xFF}, {(byte) 0xFF, (byte) 0xFE}, {(byte) 0xEF, (byte) 0xBB}, {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF}};
+        {(byte) 0xFF}, {(byte) 0xFE, (byte) 0xFF}, {(byte) 0xFF, (byte) 0xFE}, {(byte) 0xEF, (byte) 0xBB},
+        {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF}};
 
     private final List<byte[]> vrais = new ArrayList<>();
 
     /** Part de tous les fichiers de ces dossiers, toujours dans le même ordre. */
     Abimeur(Path... dossiers) throws IOException {
         for (Path dossier : dossiers) {
-            List<Path> chemins = new ArrayList<>();
-            try (DirectoryStream<Path> fichiers = Files.newDirectoryStream(dossier, "*.ini")) {
-                fichiers.forEach(chemins::add);
-            }
-            Collections.sort(chemins);
-            for (Path chemin : chemins) {
+            for (Path chemin : Ressources.scenes(dossier)) {
                 vrais.add(Files.readAllBytes(chemin));
             }
         }

@@ -1,5 +1,6 @@
 package lancer.scene;
 
+import static lancer.essai.Triplets.t;
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,10 +16,8 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
-import lancer.Point;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
@@ -114,31 +113,21 @@ class LectureAleatoireTest {
     private static void verifierScene(Scene scene, String cas) {
         for (Objet3D objet : scene.getObjets()) {
             Sphere sphere = (Sphere) objet;
-            coordonnees(sphere.getCentre(), cas);
-            entre(1e-100, sphere.getRayon(), 1e100, cas);
-            couleur(sphere.getKd(), 1, cas);
-            couleur(sphere.getKs(), 1, cas);
-            entre(0, sphere.getNs(), 1e9, cas);
+            entre(-1e100, 1e100, cas, t(sphere.getCentre()));
+            entre(1e-100, 1e100, cas, sphere.getRayon());
+            entre(0, 1, cas, t(sphere.getKd()));
+            entre(0, 1, cas, t(sphere.getKs()));
+            entre(0, 1e9, cas, sphere.getNs());
         }
         for (Lampe lampe : scene.getLampes()) {
-            coordonnees(lampe.getPosition(), cas);
-            couleur(lampe.getCouleur(), 1e6, cas);
+            entre(-1e100, 1e100, cas, t(lampe.getPosition()));
+            entre(0, 1e6, cas, t(lampe.getCouleur()));
         }
     }
 
-    private static void coordonnees(Point p, String cas) {
-        entre(-1e100, p.x, 1e100, cas);
-        entre(-1e100, p.y, 1e100, cas);
-        entre(-1e100, p.z, 1e100, cas);
-    }
-
-    private static void couleur(Couleur c, double max, String cas) {
-        entre(0, c.r, max, cas);
-        entre(0, c.v, max, cas);
-        entre(0, c.b, max, cas);
-    }
-
-    private static void entre(double min, double valeur, double max, String cas) {
-        assertTrue(valeur >= min && valeur <= max, () -> cas + " : " + valeur + " n'est pas de " + min + " à " + max);
+    private static void entre(double min, double max, String cas, double... valeurs) {
+        for (double valeur : valeurs) {
+            assertTrue(valeur >= min && valeur <= max, () -> cas + " : " + valeur + " n'est pas de " + min + " à " + max);
+        }
     }
 }

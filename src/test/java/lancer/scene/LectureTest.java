@@ -12,16 +12,12 @@ import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
@@ -45,31 +41,21 @@ class LectureTest {
     @TempDir
     Path dossier;
 
-    static Stream<Path> fautives() throws IOException {
-        return scenes("fautives");
+    private static final Path FAUTIVES = Path.of(Ressources.chemin("fautives"));
+    private static final Path VALIDES = Path.of(Ressources.chemin("valides"));
+
+    static List<Path> fautives() {
+        return Ressources.scenes(FAUTIVES);
     }
 
-    static Stream<Path> valides() throws IOException {
-        return scenes("valides");
-    }
-
-    private static Stream<Path> scenes(String dossier) throws IOException {
-        List<Path> scenes = new ArrayList<>();
-        try (DirectoryStream<Path> fichiers = Files.newDirectoryStream(Path.of(Ressources.chemin(dossier)), "*.ini")) {
-            for (Path fichier : fichiers) {
-                scenes.add(fichier);
-            }
-        }
-        return scenes.stream().sorted();
+    static List<Path> valides() {
+        return Ressources.scenes(VALIDES);
     }
 
     /** Ce que le programme doit dire de cette scène, rien si aucun message n'est à côté d'elle. */
     private static String attendu(Path scene) throws IOException {
         Path message = scene.resolveSibling(scene.getFileName().toString().replace(".ini", ".message"));
-        if (!Files.exists(message)) {
-            return "";
-        }
-        return Essai.message(Files.readString(message), scene);
+        return Files.exists(message) ? Essai.message(Files.readString(message), scene) : "";
     }
 
     @ParameterizedTest(name = "{0}")
@@ -98,34 +84,26 @@ class LectureTest {
     }
 
     @Test
-    void toutMessageAttenduASaScene() throws IOException {
-        for (String nom : List.of("fautives", "valides")) {
-            try (DirectoryStream<Path> messages = Files.newDirectoryStream(Path.of(Ressources.chemin(nom)), "*.message")) {
-                for (Path message : messages) {
-                    Path scene = message.resolveSibling(message.getFileName().toString().replace(".message", ".ini"));
-                    assertTrue(Files.exists(scene), message + " n'a pas de scène");
-                }
+    void toutMessageAttenduASaScene() {
+        for (Path dossier : List.of(FAUTIVES, VALIDES)) {
+            for (Path message : Ressources.fichiers(dossier, aucun -> false)) {
+                assertTrue(Files.exists(Path.of(message.toString().replace(".message", ".ini"))), message + " n'a pas de scène");
             }
         }
-        assertTrue(fautives().count() > 100);
+        assertTrue(fautives().size() > 100);
     }
 
     @Test
     void lesScenesEgalesSontToutesLaMeme() throws IOException {
         Scene simple = new Scene(Ressources.chemin("valides/egale-simple.ini"));
-        float[] attendue = dessin(simple).composantes;
-        for (Path chemin : (Iterable<Path>) valides().filter(f -> f.getFileName().toString().startsWith("egale-"))::iterator) {
-            Scene scene = new Scene(chemin.toString());
-            assertEquals(1, scene.getObjets().size(), chemin.toString());
-            assertEquals(1, scene.getLampes().size(), chemin.toString());
-            assertArrayEquals(attendue, dessin(scene).composantes, chemin.toString());
+        float[] attendue = Ressources.image(simple, 40, 30, 5, 1).composantes;
+        for (Path chemin : valides()) {
+            if (chemin.getFileName().toString().startsWith("egale-")) {
+                Scene scene = new Scene(chemin.toString());
+                assertEquals("1, 1", scene.getObjets().size() + ", " + scene.getLampes().size(), chemin.toString());
+                assertArrayEquals(attendue, Ressources.image(scene, 40, 30, 5, 1).composantes, chemin.toString());
+            }
         }
-    }
-
-    private static Ressources.Image dessin(Scene scene) {
-        Ressources.Image image = new Ressources.Image(40, 30);
-        new Lancer(scene, new Camera(40, 30)).TracerImage(image, 5, 1);
-        return image;
     }
 
     @Test
@@ -200,24 +178,9 @@ class LectureTest {
     }
 
     @Test
-    void laSceneSeLitAussiParSonConstructeur() throws IOException {
-        Path fichier = dossier.resolve("fautive.ini");
-        Files.write(fichier, List.of("[Sphere 1]", "centre=0 0 6", "rayon=0"));
-        SceneFautive e = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString()));
-        assertEquals(fichier + ", ligne 3, [Sphere 1], rayon : hors limites : « 0 » ; attendu : un nombre de 1e-100 à 1e100",
-                e.getMessage());
-        assertThrows(SceneFautive.class, () -> new Scene(dossier.resolve("absente.ini").toString()));
-        assertThrows(SceneFautive.class, () -> new Scene(dossier.toString()));
-    }
-
-    @Test
     void leNomDuFichierEstDitEnEntierEtSansCaractereDeControle() throws IOException {
         assumeTrue(File.separatorChar == '/', "Windows n'a pas de tels noms");
-        StringBuilder nom = new StringBuilder("scene \u001b[31m\t");
-        for (int k = 0; k < 20; k++) {
-            nom.append("longue ");
-        }
-        Path fichier = dossier.resolve(nom + ".ini");
+        Path fichier = dossier.resolve("scene \u001b[31m\t" + "longue ".repeat(20) + ".ini");
         Files.write(fichier, List.of("[Cube]"));
         String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);

@@ -103,9 +103,8 @@ class PlacesEcritesTest {
         verifier(scene(modele, "1 0 6", "4 5 6"), ecrits(lue, voulue));
     }
 
-    static Stream<Path> scenes() throws IOException {
-        return Stream.concat(Files.list(Path.of("scenes")), Files.list(Path.of(Ressources.chemin("valides"))))
-                .filter(chemin -> chemin.toString().endsWith(".ini")).sorted();
+    static Stream<Path> scenes() {
+        return Stream.of("scenes", Ressources.chemin("valides")).flatMap(dossier -> Ressources.scenes(Path.of(dossier)).stream());
     }
 
     private static List<Object> choses(SceneLue lue) {
@@ -138,11 +137,8 @@ class PlacesEcritesTest {
         Sphere boule = (Sphere) lue.objets.get(0);
         SceneLue voulue = avec(lue, boule, new Point(1, 2, 3));
         Sphere deplacee = (Sphere) voulue.objets.get(0);
-        assertEquals(new Point(1, 2, 3), deplacee.getCentre());
-        assertEquals(boule.getRayon(), deplacee.getRayon());
-        assertEquals(boule.getKd(), deplacee.getKd());
-        assertEquals(boule.getKs(), deplacee.getKs());
-        assertEquals(boule.getNs(), deplacee.getNs());
+        assertEquals(List.of(new Point(1, 2, 3), boule.getRayon(), boule.getKd(), boule.getKs(), boule.getNs()),
+                List.of(deplacee.getCentre(), deplacee.getRayon(), deplacee.getKd(), deplacee.getKs(), deplacee.getNs()));
         assertEquals(new Point(0, 0.2, 6), boule.getCentre(), "celle d'avant reste à sa place");
     }
 

@@ -15,7 +15,6 @@ import lancer.Scene;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.essai.Essai;
-import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
 import lancer.essai.EssaiVariante;
 import lancer.inspection.EssaiSegments;
@@ -127,6 +126,6 @@ class AntialiasTest extends EssaiVariante {
 
     @Test
     void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
-        EssaiParametres.verifier(new Antialias(), "n", "seuil", "methode");
+        verifierParametres(new Antialias(), "n", "seuil", "methode");
     }
 }

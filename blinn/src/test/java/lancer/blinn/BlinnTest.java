@@ -9,7 +9,6 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Vecteur;
 import lancer.essai.Essai;
-import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiVariante;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -115,6 +114,6 @@ class BlinnTest extends EssaiVariante {
 
     @Test
     void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
-        EssaiParametres.verifier(new Blinn(), "facteur");
+        verifierParametres(new Blinn(), "facteur");
     }
 }

@@ -10,7 +10,6 @@ import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.essai.Essai;
-import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiVariante;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -57,14 +56,6 @@ class BrumeTest extends EssaiVariante {
             }
             double attendu = k4 * F + (1 - k4) * (c + 0.5 * v);
             assertEquals(attendu, image[composante], PRECISION);
-        }
-    }
-
-    @Test
-    void laOuIlNYARienOnNeVoitQueLaBrumeMemeSansDensite() throws IOException {
-        float[] image = Essai.dessiner(dossier, scene("[Brume]", "couleur=0.25 0.5 0.75", "densite=0"), "--taille", "3x2");
-        for (int k = 0; k < image.length; k++) {
-            assertEquals(0.25f * (k % 3 + 1), image[k]);
         }
     }
 
@@ -134,6 +125,6 @@ class BrumeTest extends EssaiVariante {
 
     @Test
     void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
-        EssaiParametres.verifier(new Brume(), "couleur", "debut", "fin", "densite");
+        verifierParametres(new Brume(), "couleur", "debut", "fin", "densite");
     }
 }

@@ -14,10 +14,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
 import lancer.essai.Essai;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,8 +28,8 @@ class QuatriemeVarianteTest {
     private static final Pattern FICHIER = Pattern.compile("`([^`]+)` :");
     private static final Pattern INSERTION = Pattern.compile("Dans `([^`]+)`, sous `([^`]+)` :");
 
-    private static final Pattern AILLEURS = Pattern.compile("((.*/)?(target|\\.(?!mvn)[^/]*)|"
-            + "(brume|antialias|blinn|mesures|correction)/src|mesures/resultats|images|docs|src/test/(resources|java/lancer/(?!essai).*))/.*");
+    private static final Pattern AILLEURS = Pattern.compile("(brume|antialias|blinn|mesures|correction)/src|mesures/resultats|"
+            + "images|docs|src/test/(resources|java/lancer/(?!essai).*)");
 
     @TempDir
     static Path copie;
@@ -91,15 +91,11 @@ class QuatriemeVarianteTest {
 
     /** Tout, sauf ce qu'aucune commande de la page ne lit ici : les autres variantes, les mesures, la correction, les tests de la base. */
     private static void copier(Path projet) throws IOException {
-        try (Stream<Path> fichiers = Files.walk(projet)) {
-            for (Path fichier : (Iterable<Path>) fichiers.filter(Files::isRegularFile)::iterator) {
-                String chemin = projet.relativize(fichier).toString().replace(File.separatorChar, '/');
-                if (!AILLEURS.matcher(chemin).matches()) {
-                    Path ici = copie.resolve(chemin);
-                    Files.createDirectories(ici.getParent());
-                    Files.copy(fichier, ici);
-                }
-            }
+        for (Path fichier : Ressources.fichiers(projet, dossier -> !dossier.getFileName().toString().matches("target|\\.(?!mvn).*")
+                && !AILLEURS.matcher(projet.relativize(dossier).toString().replace(File.separatorChar, '/')).matches())) {
+            Path ici = copie.resolve(projet.relativize(fichier).toString());
+            Files.createDirectories(ici.getParent());
+            Files.copy(fichier, ici);
         }
     }
 

@@ -13,6 +13,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
@@ -28,6 +30,9 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class BancTest extends ClasseEssai {
 
+    /** Un remplacement, ou un autre pas de la recette d'un rendu. */
+    private static final Pattern PAS = Pattern.compile("(?m)((?:^-.*\n)+)((?:^\\+.*\n)*)|^.+$");
+
     @TempDir
     static Path dossier;
 
@@ -40,7 +45,7 @@ class BancTest extends ClasseEssai {
         /** Ce que sa rangée ne doit pas dire. */
         private String tu;
         private Charset codage = StandardCharsets.UTF_8;
-        private final List<String> recette = new ArrayList<>();
+        private String recette;
         private final Map<String, Map<String, String>> parties = new LinkedHashMap<>();
         private final Map<String, String> fichiers = new TreeMap<>();
         private Map<String, String> partie;
@@ -57,21 +62,14 @@ class BancTest extends ClasseEssai {
             parties.put("lancer-base", partie);
             Map<String, String> autreNom = new TreeMap<>();
             String classe = "";
-            String avant = "";
-            String apres = "";
-            for (String ligne : recette) {
-                if (!avant.isEmpty() && !ligne.startsWith("+") && !(ligne.startsWith("-") && apres.isEmpty())) {
-                    String change = avant.substring(1);
-                    assertTrue(partie.get(classe).contains(change), nom + " : " + change);
-                    remplacer(classe, change, apres.isEmpty() ? "" : apres.substring(1));
-                    avant = "";
-                    apres = "";
-                }
+            Matcher pas = PAS.matcher(recette);
+            while (pas.find()) {
+                String ligne = pas.group();
                 String[] mots = ligne.split(" ");
                 if (ligne.startsWith("-")) {
-                    avant += "\n" + ligne.substring(1);
-                } else if (ligne.startsWith("+")) {
-                    apres += "\n" + ligne.substring(1);
+                    String change = sansSigne(pas.group(1));
+                    assertTrue(partie.get(classe).contains(change), nom + " : " + change);
+                    remplacer(classe, change, sansSigne(pas.group(2)));
                 } else if (mots[0].equals("partout")) {
                     String[] deux = ligne.substring(8).split(ligne.contains(";") ? "(?<=;) " : " ");
                     remplacer("", deux[0], deux[1]);
@@ -112,28 +110,22 @@ class BancTest extends ClasseEssai {
 
     private static List<Essai> lire(String fichier) throws IOException {
         List<Essai> essais = new ArrayList<>();
-        Essai essai = null;
-        for (String ligne : Files.readAllLines(RENDUS.resolve(fichier))) {
-            if (ligne.isEmpty() || ligne.startsWith("#")) {
-                if (essai != null) {
-                    essai.recette.add("fin");
-                }
-                essai = null;
-            } else if (essai == null) {
-                String[] moities = ligne.split(" [=!] ");
-                String[] mots = moities[0].split(" ");
-                essai = new Essai();
-                essai.nom = mots[0];
-                essai.note = new double[] {Double.parseDouble(mots[1]), Double.parseDouble(mots[2])};
-                essai.dit = ligne.contains(" = ") ? moities[1] : "";
-                essai.tu = ligne.contains(" ! ") ? moities[1] : "rien de tel";
-                essais.add(essai);
-            } else {
-                essai.recette.add(ligne);
-            }
+        for (String[] bloc : blocs(fichier)) {
+            String[] moities = bloc[0].split(" [=!] ");
+            String[] mots = moities[0].split(" ");
+            Essai essai = new Essai();
+            essai.nom = mots[0];
+            essai.note = new double[] {Double.parseDouble(mots[1]), Double.parseDouble(mots[2])};
+            essai.dit = bloc[0].contains(" = ") ? moities[1] : "";
+            essai.tu = bloc[0].contains(" ! ") ? moities[1] : "rien de tel";
+            essai.recette = bloc[1];
+            essais.add(essai);
         }
-        essai.recette.add("fin");
         return essais;
+    }
+
+    private static String sansSigne(String lignes) {
+        return lignes.replaceAll("(?m)^[-+]", "").replaceFirst("\n$", "");
     }
 
     @Tag("long")

@@ -121,6 +121,12 @@ public abstract class ClasseEssai {
         Files.writeString(fichier, texte.replace(avant, apres));
     }
 
+    /** Les blocs d'un fichier de fautes, qu'une ligne vide sépare : le titre de chacun, puis ses autres lignes. */
+    public static List<String[]> blocs(String fichier) throws IOException {
+        String texte = Files.readString(RENDUS.resolve(fichier)).replaceAll("(?m)^#.*\n", "").trim();
+        return Stream.of(texte.split("\n\n")).map(bloc -> (bloc + "\n").split("\n", 2)).collect(Collectors.toList());
+    }
+
     /** L'archive d'un dossier, ses fichiers sous ce préfixe. */
     public static void archiver(Path source, Path archive, String prefixe) throws IOException {
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive)); Stream<Path> flux = Files.walk(source)) {

@@ -74,8 +74,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
         etapes("103", "7/7", "9/9", "0/7", "1/11", "1/9");
-        contient(page(dossier, "103"),
-                "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, insert &quot;;&quot; to complete", "n&#39;est pas en UTF-8");
+        contient(page(dossier, "103"), "n&#39;est pas en UTF-8",
+                "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, insert &quot;;&quot; to complete");
     }
 
     @Test

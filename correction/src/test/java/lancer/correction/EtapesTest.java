@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -81,8 +80,7 @@ class EtapesTest {
     /** @param enChemin vrai si chacune est faite par qui en est à son étape, et n'a encore rien écrit de la suite */
     private static List<Faute> fautes(Path dossier, boolean enChemin) throws IOException {
         List<Faute> fautes = new ArrayList<>();
-        for (String bloc : Files.readString(ClasseEssai.RENDUS.resolve("etapes.txt")).replaceAll("(?m)^#.*\n", "").trim().split("\n\n")) {
-            String[] parts = bloc.split("\n", 2);
+        for (String[] parts : ClasseEssai.blocs("etapes.txt")) {
             Faute faute = new Faute(parts[0], new Programme(dossier));
             Matcher m = Pattern.compile("(?m)^(\\w+)$|^-(.*)\n((?:\\+.*\n?)+)").matcher(parts[1]);
             String classe = "";

@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import lancer.Camera;
 import lancer.Couleur;
@@ -158,9 +158,7 @@ class GrainesTest {
     }
 
     private static List<Sphere> boules(Scene scene) {
-        List<Sphere> boules = new ArrayList<>();
-        scene.getObjets().forEach(objet -> boules.add((Sphere) objet));
-        return boules;
+        return scene.getObjets().stream().map(objet -> (Sphere) objet).collect(Collectors.toList());
     }
 
     private static double ecart(Point p, Point q) {

@@ -55,12 +55,11 @@ final class Programme {
 
     /** Ce qu'a écrit un étudiant qui en est à cette étape, de 1 à 8 : d'une classe d'après, il n'a que le squelette. */
     Programme couper(int etape) {
-        List<String> aVenir = List.of("Rayon 2", "Camera 2", "Sphere 3", "Scene 4", "Lancer 4", "Objet3D 5");
-        for (String classe : aVenir) {
-            if (etape < Integer.parseInt(classe.split(" ")[1])) {
-                ecrire(classe.split(" ")[0], SourcesDuCours.squelette(classe.split(" ")[0]));
+        Map.of("Rayon", 2, "Camera", 2, "Sphere", 3, "Scene", 4, "Lancer", 4, "Objet3D", 5).forEach((classe, sienne) -> {
+            if (etape < sienne) {
+                ecrire(classe, SourcesDuCours.squelette(classe));
             }
-        }
+        });
         String[][] dansGetColor = {{"6", "Ks.mul(lampe.getCouleur()).mul(eclat)", "new Couleur()"},
             {"7", "!estALOmbre(scene, lampe, contact)", "contact != null"}, {"8", "if (profondeur > 0)", "if (profondeur > 1000)"}};
         String getColor = sources.get("lancer/Objet3D");
@@ -98,7 +97,7 @@ final class Programme {
                 }
                 compiler(tout, corrige, System.getProperty("java.class.path"));
             }
-            Map<String, byte[]> classes = new HashMap<>(lire(corrige));
+            Map<String, byte[]> classes = lire(corrige);
             if (!changees.isEmpty()) {
                 Path ici = Files.createTempDirectory(dossier, "change");
                 compiler(changees, ici, corrige + File.pathSeparator + System.getProperty("java.class.path"));
@@ -123,14 +122,11 @@ final class Programme {
 
     private static Map<String, byte[]> lire(Path classes) throws IOException {
         try (Stream<Path> flux = Files.list(classes.resolve("lancer"))) {
-            return flux.filter(f -> f.toString().endsWith(".class")).collect(Collectors.toMap(
-                    f -> "lancer." + f.getFileName().toString().replace(".class", ""), f -> {
-                        try {
-                            return Files.readAllBytes(f);
-                        } catch (IOException e) {
-                            throw new UncheckedIOException(e);
-                        }
-                    }));
+            Map<String, byte[]> lues = new HashMap<>();
+            for (Path f : (Iterable<Path>) flux.filter(f -> f.toString().endsWith(".class"))::iterator) {
+                lues.put("lancer." + f.getFileName().toString().replace(".class", ""), Files.readAllBytes(f));
+            }
+            return lues;
         }
     }
 

@@ -194,9 +194,7 @@ class SqueletteTest extends ClasseEssai {
 
     @Test
     void uneExtensionQueLeCoursNAPasEstRefusee() {
-        Essai essai = executer("--corrige", dossier.resolve("flou"), "--variante", "flou");
-        assertEquals(2, essai.code);
-        contient(essai.erreur, "attendu : antialias, blinn, brume");
+        executer("--corrige", dossier.resolve("flou"), "--variante", "flou").exigerRefus("attendu : antialias, blinn, brume");
     }
 
     /** Ce que dit « make test » dans ce projet, et pour finir son statut. */
@@ -295,9 +293,7 @@ class SqueletteTest extends ClasseEssai {
     @Test
     void nEcrasePasUnDossierQuiContientDejaQuelqueChose() throws IOException {
         Files.write(dossier.resolve("travail.txt"), new byte[1]);
-        Essai essai = executer("--squelette", dossier);
-        assertEquals(2, essai.code);
-        contient(essai.erreur, "n'est pas vide");
+        executer("--squelette", dossier).exigerRefus("n'est pas vide");
         assertEquals(new ArrayList<>(List.of("travail.txt")), List.of(dossier.toFile().list()));
     }
 }

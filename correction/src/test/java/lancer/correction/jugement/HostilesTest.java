@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -33,8 +34,7 @@ class HostilesTest extends JuryEssai {
 
     /** Ceux de {@code hostiles.txt} qui ont ces noms ; deux d'entre eux ont aussi une classe qui cacherait la nôtre. */
     private static void ecrireHostiles(Path rendus, Predicate<String> lesquels) throws IOException {
-        for (String hostile : Files.readString(RENDUS.resolve("hostiles.txt")).replaceAll("(?m)^#.*\n", "").trim().split("\n\n")) {
-            String[] parts = hostile.split("\n", 2);
+        for (String[] parts : blocs("hostiles.txt")) {
             if (lesquels.test(parts[0])) {
                 Path sources = attaque(rendus.resolve(parts[0]), parts[1]);
                 if (parts[0].equals("mathematiques")) {
@@ -70,11 +70,8 @@ class HostilesTest extends JuryEssai {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        Path noir = ecrireCorrige(rendus.resolve("tout-noir"));
-        ecrire(noir, "Couleur", SourcesDuCours.corrige("Couleur"));
-        for (String composante : List.of("r", "v", "b")) {
-            changer(noir, "Couleur", "this." + composante + " = " + composante + ";", "this." + composante + " = 0;");
-        }
+        ecrire(ecrireCorrige(rendus.resolve("tout-noir")), "Couleur", SourcesDuCours.corrige("Couleur")
+                .replaceAll("this\\.([rvb]) = \\1;", "this.$1 = 0;"));
         ecrireHostiles(rendus, nom -> true);
         attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
                 + "catch (InterruptedException e) { } }).start();");
@@ -84,11 +81,9 @@ class HostilesTest extends JuryEssai {
         ecrire(ecrireCorrige(rendus.resolve("java-lang")), "Deux", "p\\u0061ckage java.lang;\npublic cl\\u0061ss Deux { }\n");
         // dans chacune, une table de 15 000 méthodes : des classes qu'une machine ne peut prendre
         Path classes = ecrireCorrige(rendus.resolve("classes"));
-        ecrire(classes, "A", "package lancer; class A { " + methodes(15_000) + "}");
+        ecrire(classes, "A", "package lancer; class A { " + repeter(15_000, "void m%d() {}") + "}");
         for (int k = 0; k < 19; k++) {
-            String nom = "B" + k + "x";
-            ecrire(classes, nom, "package lancer;\n" + IntStream.range(0, 99).mapToObj(n -> "class " + nom + n + " extends A {}\n")
-                    .collect(Collectors.joining()));
+            ecrire(classes, "B" + k + "x", "package lancer;\n" + repeter(99, "class B" + k + "x%d extends A {}\n"));
         }
         ecrireCorrige(rendus.resolve("ordinaire"));
         // remplir la mémoire, ou la sortie, demande du calcul, et plus encore sur une machine chargée
@@ -136,6 +131,60 @@ class HostilesTest extends JuryEssai {
         });
     }
 
+    /** Deux témoins : l'un achevé, l'autre qui a une faute. */
+    private static Path temoins(Path rendus) throws IOException {
+        ecrireCorrige(rendus.resolve("acheve"));
+        changer(ecrireCorrige(rendus.resolve("fautif")), "Vecteur", "x * v.x + y", "x * v.x - y");
+        return rendus;
+    }
+
+    private static Map<String, String> etats(Resultat resultat) {
+        Map<String, String> etats = new TreeMap<>();
+        resultat.verdicts.forEach((id, verdict) -> etats.put(id, verdict.etat + " " + verdict.message));
+        etats.put("refus", resultat.refus.toString());
+        return etats;
+    }
+
+    /** Ce qu'un rendu porte dans ses noms, ses réponses ou ses archives ne change rien au résultat des autres. */
+    @Tag("long")
+    @Test
+    void niLesNomsNiLesReponsesNiLesArchivesNeChangentRienAuxTemoins() throws IOException {
+        assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        Map<String, Resultat> attendus = juger(temoins(dossier.resolve("seuls")), confinement, PATIENTES);
+        Path rendus = temoins(dossier.resolve("rendus"));
+        // sans rien qu'un nom de paquet n'ait : ce serait bien un chemin, à son point près
+        Path evade = Files.createTempDirectory("evade").resolve("x");
+        ecrire(ecrireCorrige(rendus.resolve("paquet")), "Evade", "package " + evade.toString().replace('/', '.')
+                + ";\npublic class Evade { }\n");
+        ecrire(ecrireCorrige(rendus.resolve("fin")), "A\nFIN\nFAUTE\tB", "package lancer; class A { int f() { return x; } }");
+        ecrire(ecrireCorrige(rendus.resolve("tabulation")), "A\tB", "package lancer; class A { int f() { return x; } }");
+        ecrire(sources(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
+                + "}".repeat(2001));
+        ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
+        ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
+                .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
+        ecrireHostiles(rendus, List.of("avance", "sans-retour", "curieux", "ecrit")::contains);
+        ecrireCorrige(rendus.resolve("liens"));
+        Files.createSymbolicLink(rendus.resolve("liens/Secret.java"), Path.of("/etc/passwd"));
+        Files.createSymbolicLink(rendus.resolve("liens/racine"), Path.of("/"));
+        Map<String, Resultat> resultats = juger(rendus, confinement, PATIENTES);
+        for (String temoin : attendus.keySet()) {
+            assertEquals(etats(attendus.get(temoin)), etats(resultats.get(temoin)), temoin);
+        }
+        assertFalse(Files.exists(evade));
+        rate(resultats, "avance", "arrêté : a répondu");
+        assertTrue(resultats.get("avance").aRegarder.toString().contains("arrêté : a répondu"), "cela se voit à l'index");
+        assertTrue(resultats.get("paquet").aRegarder.toString().contains(" : laissé de côté, "));
+        String vu = resultats.get("curieux").verdicts.get(SOUSTRACTION).message;
+        assertTrue(vu.contains("vu{") && !vu.contains(dossier.getFileName().toString()), vu);
+        for (String nom : List.of("paquet", "fin", "tabulation", "liens", "ecrit")) {
+            assertEquals(new TreeSet<>(), ratees(resultats.get(nom)), nom + " est par ailleurs achevé, et rien ne s'y écrit");
+        }
+        resultats.forEach((nom, resultat) -> assertFalse(resultat.nonCorrige, nom + " : " + resultat.refus));
+    }
+
     /** Ceux dont le confinement n'est pas ce qui les arrête : il faut juger le corrigé une fois de plus. */
     @Tag("long")
     @Test
@@ -171,8 +220,8 @@ class HostilesTest extends JuryEssai {
         });
     }
 
-    private static String methodes(int combien) {
-        return IntStream.range(0, combien).mapToObj(k -> "void m" + k + "() {}").collect(Collectors.joining());
+    private static String repeter(int combien, String texte) {
+        return IntStream.range(0, combien).mapToObj(k -> String.format(texte, k)).collect(Collectors.joining());
     }
 
     @Test

@@ -33,15 +33,11 @@ class BlocsTest {
     @TempDir
     Path dossier;
 
-    private static Path racine() {
-        return Path.of(Files.exists(Path.of("ensemble.xml")) ? "" : "..").toAbsolutePath();
-    }
-
     /** Les blocs qui commencent par une section, et où ils sont. */
     private static Map<String, String> blocs() throws IOException {
         List<Path> pages = new ArrayList<>();
         for (String lieu : new String[] {"", "docs", "brume", "antialias", "blinn", "mesures", "mesures/resultats", "correction"}) {
-            try (Stream<Path> fichiers = Files.list(racine().resolve(lieu))) {
+            try (Stream<Path> fichiers = Files.list(Path.of("..", lieu))) {
                 fichiers.filter(f -> f.toString().endsWith(".md")).sorted().forEach(pages::add);
             }
         }
@@ -64,7 +60,7 @@ class BlocsTest {
         assertTrue(blocs.size() > 4 && blocs.keySet().stream()
                 .anyMatch(b -> b.contains("[Sphere rouge]") && b.contains("[Lampe 1]")), blocs.toString());
         for (Map.Entry<String, String> bloc : blocs.entrySet()) {
-            Path scene = Files.writeString(dossier.resolve("scene.ini"), (SCENE + bloc.getKey()));
+            Path scene = Files.writeString(dossier.resolve("scene.ini"), SCENE + bloc.getKey());
             Lancement programme = new Lancement(dossier.resolve("pris"), Path.of(System.getProperty("java.home"), "bin", "java"),
                     "-cp", System.getProperty("java.class.path"), "lancer.Main", "--taille", "4x3", "--image",
                     dossier.resolve("image.png"), scene);
