@@ -106,8 +106,7 @@ class ProcessusTest extends EssaiProcessus {
                     "Kd=0.5 0.5 0.9", "Ks=0.4 0.4 0.4", "ns=30"));
         }
         lignes.addAll(List.of("[Lampe a]", "position=-4 6 -3", "couleur=1 1 1", "[Lampe b]", "position=4 6 0", "couleur=1 1 1"));
-        Path scene = dossier.resolve("dix.ini");
-        Files.write(scene, lignes);
+        Path scene = Files.write(dossier.resolve("dix.ini"), lignes);
         assertEquals(0, statut(preparer(java("-Xmx64m", "--image=a.png", "--lineaire=a.pfm", scene.toString()))), erreur());
         assertEquals("", erreur());
     }
@@ -146,8 +145,7 @@ class ProcessusTest extends EssaiProcessus {
     void sansLangueLeProgrammeMarcheEtRefuseEnUneLigne() throws Exception {
         // celle de Windows ne se choisit pas par LANG
         supposerUnix();
-        Path scene = dossier.resolve("s.ini");
-        Files.writeString(scene, "[Sphère]\n");
+        Path scene = Files.writeString(dossier.resolve("s.ini"), "[Sphère]\n");
         ProcessBuilder p = preparer(sansAccents(java("", "--image=a.png", scene.toString())));
         Map<String, String> environnement = p.environment();
         environnement.keySet().removeIf(nom -> nom.startsWith("LC_"));

@@ -40,8 +40,7 @@ class EchecsTest extends EssaiProcessus {
     @Test
     void unDisqueQuiSeRemplitLaisseLAncienneImage() throws Exception {
         supposerUnix();
-        Path pfm = dossier.resolve("a.pfm");
-        Files.write(pfm, AVANT);
+        Path pfm = Files.write(dossier.resolve("a.pfm"), AVANT);
         List<String> commande = java("-XX:-UsePerfData -Xshare:off", "--lineaire=a.pfm", "--taille=400x300", SCENE);
         commande.addAll(0, List.of("/bin/sh", "-c", "ulimit -f 64 && exec \"$@\"", "sh"));
         assertEquals(1, statut(preparer(commande)), erreur());
@@ -178,8 +177,7 @@ class EchecsTest extends EssaiProcessus {
     @Test
     void ctrlCPendantLEcritureLaisseLAncienneImage() throws Exception {
         supposerUnix();
-        Path pfm = dossier.resolve("a.pfm");
-        Files.write(pfm, AVANT);
+        Path pfm = Files.write(dossier.resolve("a.pfm"), AVANT);
         int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=2500x2000");
         attendre(() -> dossier.toFile().list().length > 2 || !processus.isAlive());
         interrompre(pid);

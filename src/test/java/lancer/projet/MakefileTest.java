@@ -13,7 +13,6 @@ import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -56,28 +55,23 @@ class MakefileTest extends EssaiProcessus {
         return sortie().trim();
     }
 
-    /** Ce que vaut LC_ALL pour les commandes de make, lancé avec ces trois variables, {@code null} pour celle qui manque. */
-    private String langue(String lcAll, String lcCtype, String lang) throws IOException, InterruptedException {
+    /** Ce que vaut LC_ALL pour les commandes de make, lancé avec ces variables. */
+    private String langue(String... variables) throws IOException, InterruptedException {
         ProcessBuilder make = make(COMMUN, "--eval", "langue:;@echo $$LC_ALL", "langue");
-        Map<String, String> variables = make.environment();
-        String[] noms = {"LC_ALL", "LC_CTYPE", "LANG"};
-        String[] valeurs = {lcAll, lcCtype, lang};
-        for (int k = 0; k < noms.length; k++) {
-            if (valeurs[k] != null) {
-                variables.put(noms[k], valeurs[k]);
-            }
+        for (String variable : variables) {
+            make.environment().put(variable.split("=")[0], variable.split("=")[1]);
         }
         return dire(make);
     }
 
     @Test
     void laLangueEstChangeeLaOuLaMachineNEstPasEnUtf8QuoiQueDisentLesVariables() throws Exception {
-        assertEquals("", langue(null, null, "C.UTF-8"), "rien à changer : c'est de l'UTF-8");
-        assertEquals("C.UTF-8", langue("C.UTF-8", "C", "C"));
-        assertEquals("C.UTF-8", langue(null, null, null));
-        assertEquals("C.UTF-8", langue(null, "C", "C.UTF-8"), "LC_CTYPE l'emporte sur LANG");
-        assertEquals("C.UTF-8", langue("POSIX", "C.UTF-8", "C.UTF-8"), "LC_ALL l'emporte sur tout");
-        assertEquals("C.UTF-8", langue(null, null, "xx_YY.UTF-8"), "cette machine n'a pas cette langue");
+        assertEquals("", langue("LANG=C.UTF-8"), "rien à changer : c'est de l'UTF-8");
+        assertEquals("C.UTF-8", langue("LC_ALL=C.UTF-8", "LC_CTYPE=C", "LANG=C"));
+        assertEquals("C.UTF-8", langue());
+        assertEquals("C.UTF-8", langue("LC_CTYPE=C", "LANG=C.UTF-8"), "LC_CTYPE l'emporte sur LANG");
+        assertEquals("C.UTF-8", langue("LC_ALL=POSIX", "LC_CTYPE=C.UTF-8", "LANG=C.UTF-8"), "LC_ALL l'emporte sur tout");
+        assertEquals("C.UTF-8", langue("LANG=xx_YY.UTF-8"), "cette machine n'a pas cette langue");
     }
 
     /** La scène que montre make dans le dossier de cette variante, ou à la racine. */

@@ -56,8 +56,7 @@ class EchecsLectureTest extends EssaiProcessus {
         // un rayon d'un seul chiffre : coupé, il ne se lit plus, au lieu de se lire autre
         byte[] scene = IntStream.range(0, 3000).mapToObj(k -> "[Sphere " + k + "]\ncentre=" + k + " 0 6\nrayon=5\n")
                 .collect(Collectors.joining()).getBytes(StandardCharsets.UTF_8);
-        Path fichier = dossier.resolve("s.ini");
-        Files.write(fichier, scene);
+        Path fichier = Files.write(dossier.resolve("s.ini"), scene);
         AtomicBoolean fini = new AtomicBoolean();
         Thread editeur = new Thread(() -> {
             try {

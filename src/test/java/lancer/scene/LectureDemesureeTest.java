@@ -10,10 +10,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
@@ -120,9 +121,7 @@ class LectureDemesureeTest {
         assertTrue(parts.size() >= 6, parts.toString());
         assertTrue(parts.get(0) > 0 && parts.get(0) <= 65536.0 / Files.size(fichier), parts.toString());
         assertEquals(1, parts.get(parts.size() - 1));
-        List<Double> croissantes = new ArrayList<>(parts);
-        Collections.sort(croissantes);
-        assertEquals(croissantes, parts);
+        assertEquals(parts.stream().sorted().collect(Collectors.toList()), parts);
     }
 
     @Test
@@ -138,15 +137,8 @@ class LectureDemesureeTest {
 
     @Test
     void desClesSansFinSontRefusees() throws IOException {
-        refuse(", ligne 66, [Brume], k65 : trop de clés", cles(100_000));
-    }
-
-    private Path cles(int combien) throws IOException {
-        StringBuilder s = new StringBuilder("[Brume]\n");
-        for (int k = 1; k <= combien; k++) {
-            s.append('k').append(k).append("=1\n");
-        }
-        return ecrire(s.toString(), "", 0, "");
+        String cles = IntStream.rangeClosed(1, 100_000).mapToObj(k -> "k" + k + "=1\n").collect(Collectors.joining());
+        refuse(", ligne 66, [Brume], k65 : trop de clés", ecrire("[Brume]\n", "", 0, cles));
     }
 
     /** Des doubles de [0.5, 1[ dont {@code Double.hashCode} est toujours le même. */

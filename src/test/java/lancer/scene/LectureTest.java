@@ -180,8 +180,7 @@ class LectureTest {
     @Test
     void leNomDuFichierEstDitEnEntierEtSansCaractereDeControle() throws IOException {
         assumeTrue(File.separatorChar == '/', "Windows n'a pas de tels noms");
-        Path fichier = dossier.resolve("scene \u001b[31m\t" + "longue ".repeat(20) + ".ini");
-        Files.write(fichier, List.of("[Cube]"));
+        Path fichier = Files.write(dossier.resolve("scene \u001b[31m\t" + "longue ".repeat(20) + ".ini"), List.of("[Cube]"));
         String message = assertThrows(SceneFautive.class, () -> new Scene(fichier.toString())).getMessage();
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
         assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);

@@ -132,8 +132,7 @@ class ClasseTest extends ClasseEssai {
 
     @Test
     void noterNeJugePasDeNouveauEtSuitLeBareme() throws IOException {
-        Path bareme = dossier.resolve("autre.ini");
-        Files.writeString(bareme, "[Barème]\nvecteurs=1\nimage=3\n");
+        Path bareme = Files.writeString(dossier.resolve("autre.ini"), "[Barème]\nvecteurs=1\nimage=3\n");
         renoter("--bareme", bareme);
         assertEquals(List.of("4.00", "4.00"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur")));
         assertEquals("1.00", classe(dossier).get("104").get("note"));

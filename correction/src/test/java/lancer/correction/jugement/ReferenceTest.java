@@ -24,6 +24,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Le corrigé, écrit d'après le seul énoncé, est juste ; avec une faute classique, elle est vue à son étape, et à elle seule. */
 @EnabledForJreRange(min = JRE.JAVA_17)
@@ -65,10 +67,14 @@ class ReferenceTest extends JuryEssai {
         Files.writeString(Files.createDirectories(projet.resolve("src/main/java/lancer")).resolve("Lancer.java"), lancer);
     }
 
-    private static void verifier(String faute, String... etapes) {
+    @ParameterizedTest
+    @CsvSource({"racine-negative, sphere, Sphere", "ombre-de-soi, ombres, Objet3D", "plus-loin, scene, Scene",
+        "miroir-a-l-envers, phong reflets, Objet3D", "normale-a-l-envers, lambert, Sphere", "masquees, ombres sphere, Sphere Objet3D"})
+    void uneFauteEstVueASonEtapeEtDansSaClasse(String faute, String etapes, String classes) {
         TreeSet<String> ratees = ratees(resultats.get(faute));
         ratees.remove("image");
-        assertEquals(new TreeSet<>(List.of(etapes)), ratees, faute + " : " + resultats.get(faute).verdicts.entrySet().stream()
+        assertEquals(List.of(classes.split(" ")), resultats.get(faute).classesFautives, resultats.get(faute).remarques.toString());
+        assertEquals(etapes, String.join(" ", ratees), faute + " : " + resultats.get(faute).verdicts.entrySet().stream()
                 .filter(e -> e.getValue().etat == Verdict.Etat.FAUSSE).map(e -> e.getKey() + " " + e.getValue().message)
                 .collect(Collectors.toList()));
     }
@@ -114,15 +120,7 @@ class ReferenceTest extends JuryEssai {
     }
 
     @Test
-    void uneRacineNegativeEstUneFauteDeLaSphere() {
-        verifier("racine-negative", "sphere");
-        assertEquals(List.of("Sphere"), resultats.get("racine-negative").classesFautives,
-                resultats.get("racine-negative").remarques.toString());
-    }
-
-    @Test
     void uneBouleDansSaPropreOmbreEstUneFauteDOmbre() {
-        verifier("ombre-de-soi", "ombres");
         // la faute y est, et non dans getColor, que l'on a appelée
         Map<String, String> methodes = resultats.get("ombre-de-soi").methodes;
         assertTrue(!methodes.isEmpty() && methodes.values().stream().allMatch(m -> m.contains("private boolean estALOmbre(")),
@@ -142,25 +140,15 @@ class ReferenceTest extends JuryEssai {
     }
 
     @Test
-    void unContactLointainEstUneFauteDeSceneEtUnMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
-        verifier("plus-loin", "scene");
-        verifier("miroir-a-l-envers", "phong", "reflets");
-    }
-
-    @Test
     void uneNormaleALEnversEstUneFauteDeLambertQuelQueSoitLePointVisePourChaquePixel() {
-        verifier("normale-a-l-envers", "lambert");
         assertTrue(resultats.get("normale-a-l-envers").centre, "getCouleurPixel vise le centre du pixel");
         assertEquals("normale N", resultats.get("normale-a-l-envers").chemin.getPremierEcart().nom, "et non le rayon, qui est juste");
-        assertEquals(List.of("Sphere"), resultats.get("normale-a-l-envers").classesFautives);
     }
 
     @Test
     void plusieursFautesAlaFoisNeSeCachentPas() {
-        verifier("masquees", "sphere", "ombres");
         assertTrue(resultats.get("masquees").verdicts.entrySet().stream().noneMatch(e -> e.getKey().startsWith("lambert.")
                 && e.getValue().etat == Verdict.Etat.FAUSSE), "une boule qui s'ombre elle-même ne dit rien de Lambert");
-        assertEquals(List.of("Sphere", "Objet3D"), resultats.get("masquees").classesFautives);
         assertFalse(imageJuste(resultats.get("masquees")));
     }
 }

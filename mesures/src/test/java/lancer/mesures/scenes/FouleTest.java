@@ -41,8 +41,7 @@ class FouleTest {
     @ParameterizedTest(name = "{0}")
     @ValueSource(ints = {1, 2, 10, 500, 1331})
     void lesBoulesDevantLOeilNeSeTouchentPas(int n) throws IOException {
-        Path fichier = dossier.resolve("scene.ini");
-        Files.writeString(fichier, engendrer(n));
+        Path fichier = Files.writeString(dossier.resolve("scene.ini"), engendrer(n));
         SceneLue lu = LecteurScene.lire(fichier.toString(), part -> { });
         assertEquals(2, lu.lampes.size());
         assertTrue(lu.avertissements.isEmpty());

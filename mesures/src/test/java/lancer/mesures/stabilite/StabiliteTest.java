@@ -67,18 +67,15 @@ class StabiliteTest {
     }
 
     /** Sans les temps, qui sont de la machine. */
-    private static String comptes(Exactitude r) {
-        return r.figure + " " + r.formule + " " + r.essais + " " + r.faux + " " + r.erreurRelative + " " + r.erreurEnUnites;
-    }
-
-    private static List<String> comptes(List<Exactitude> exactitudes) {
-        return exactitudes.stream().map(StabiliteTest::comptes).collect(Collectors.toList());
+    private static String comptes(List<Exactitude> exactitudes) {
+        return exactitudes.stream().map(r -> r.figure + " " + r.formule + " " + r.essais + " " + r.faux + " " + r.erreurRelative + " "
+                + r.erreurEnUnites).collect(Collectors.joining("\n"));
     }
 
     @Test
     void lesComptesNotesSontCeuxDuProgrammeDeCeCommit() throws IOException {
         List<Exactitude> notees = Exactitude.lire(RESULTATS.resolve(Mesures.CSV));
-        List<String> sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
+        String sol = comptes(notees.stream().filter(r -> r.figure.equals(Mesures.SOL)).collect(Collectors.toList()));
         assertEquals(comptes(new Mesures(false).sol()), sol, "make mesures MESURES=--stabilite");
     }
 
