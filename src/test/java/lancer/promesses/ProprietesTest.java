@@ -75,6 +75,15 @@ class ProprietesTest {
     }
 
     @Test
+    void laNormaleEstUnitaireMemePourUneSpherePlusPetiteQueSesCoordonnees() {
+        for (int k = 0; k < TIRAGES; k++) {
+            Point c = point(1e6);
+            double r = Math.pow(10, -100 * hasard.nextDouble());
+            assertEquals(1, new Sphere(c, r).getNormale(c.add(vecteur(r))).norme(), 8 * U, "tirage " + k);
+        }
+    }
+
+    @Test
     void uneSceneExtremeNAQueDesCouleursFinies() {
         for (int k = 0; k < 300; k++) {
             Sphere[] boules = new Sphere[6];
