@@ -108,9 +108,7 @@ public final class Ressources {
         List<Sphere> boules = new ArrayList<>();
         for (Objet3D objet : scene.getObjets()) {
             Sphere boule = new Sphere(place.apply(((Sphere) objet).getCentre()), ((Sphere) objet).getRayon() * fois);
-            boule.setKd(objet.getKd());
-            boule.setKs(objet.getKs());
-            boule.setNs(objet.getNs());
+            boule.setMatiere(objet);
             boules.add(boule);
         }
         return new Scene(boules, scene.getLampes().stream().map(lampe -> new Lampe(place.apply(lampe.getPosition()), lampe.getCouleur()))

@@ -38,13 +38,6 @@ class ComptesTest {
     private static final int AU_PLUS = 3;
     private static final int PLUS = 32;
 
-    private static Sphere boule(double z, double kd, double ks) {
-        Sphere s = new Sphere(new Point(0, 0, z), 1);
-        s.setKd(new Couleur(kd));
-        s.setKs(new Couleur(ks));
-        return s;
-    }
-
     private static Compteurs compter(Scene scene, int profondeur) {
         return new IdentiteTest.Dessin(Structuree.scene(scene, CAMERA), CAMERA, profondeur, 2).compteurs;
     }

@@ -41,9 +41,7 @@ class CurseurTest {
         Bulle(Sphere sphere, boolean bornee) {
             this.sphere = sphere;
             this.bornee = bornee;
-            setKd(sphere.getKd());
-            setKs(sphere.getKs());
-            setNs(sphere.getNs());
+            setMatiere(sphere);
         }
 
         @Override

@@ -120,12 +120,8 @@ class IdentiteTest {
     /** À un cheveu de 1, le carré d'une longueur prend un autre chemin pour se normaliser : le même pour les deux images. */
     @Test
     void uneLampeADistanceUnDUnContact() {
-        Sphere boule = new Sphere(new Point(0, 0, 6), 1);
-        Sphere bille = new Sphere(new Point(0.74, 0, 4.82), 0.3);
-        boule.setKd(new Couleur(0.8));
-        bille.setKd(new Couleur(0.8));
-        bille.setKs(new Couleur(0.3));
-        Scene scene = new Scene(List.of(boule, bille), List.of(new Lampe(new Point(0.8, 0, 4.4), new Couleur(1))));
+        List<Sphere> boules = List.of(Ressources.boule(0, 0, 6, 1, 0.8, 0, 1), Ressources.boule(0.74, 0, 4.82, 0.3, 0.8, 0.3, 1));
+        Scene scene = new Scene(boules, List.of(new Lampe(new Point(0.8, 0, 4.4), new Couleur(1))));
         Camera camera = new Camera(801, 601);
         Scene structuree = Structuree.scene(scene, camera);
         for (int k = 0; k < 2000; k++) {

@@ -1,5 +1,6 @@
 package lancer.antialias;
 
+import static lancer.essai.Ressources.boule;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -77,11 +78,8 @@ class LimitesAntialiasTest extends EssaiEchantillons {
         double carres = 0;
         int tirages = 40;
         for (int k = 0; k < tirages; k++) {
-            Sphere boule = new Sphere(new Point(0.4 * hasard.nextDouble(), 0.4 * hasard.nextDouble(), 6), 1);
-            boule.setKs(new Couleur(1));
-            boule.setNs(200);
-            Scene scene = new Scene(List.of(boule), List.of(new Lampe(new Point(-3, 4, -5),
-                    new Couleur(1))));
+            Sphere boule = boule(0.4 * hasard.nextDouble(), 0.4 * hasard.nextDouble(), 6, 1, 0, 1, 200);
+            Scene scene = new Scene(List.of(boule), List.of(new Lampe(new Point(-3, 4, -5), new Couleur(1))));
             carres += Math.pow(tache(scene, methode) / tache(scene, new Coins(16, 0)) - 1, 2) / tirages;
         }
         return Math.sqrt(carres);

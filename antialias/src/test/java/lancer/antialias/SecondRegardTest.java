@@ -21,6 +21,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Releve;
 import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
+import lancer.essai.Ressources;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.inspection.Inspection;
@@ -38,9 +39,7 @@ class SecondRegardTest {
         List<Objet3D> objets = new ArrayList<>(List.of(new Sphere(new Point(0, 0, 0), 1000)));
         for (double[] p : points) {
             Point ecran = new Camera(L, H).getEcran(p[0], p[1]);
-            Sphere boule = new Sphere(new Point(ecran.x, ecran.y, 0.01), 0.35 * Constantes.ECHELLE / L);
-            boule.setKd(new Couleur(1));
-            objets.add(boule);
+            objets.add(Ressources.boule(ecran.x, ecran.y, 0.01, 0.35 * Constantes.ECHELLE / L, 1, 0, 1));
         }
         return new Scene(objets, List.of(new Lampe(new Point(-4, 6, -3), new Couleur(3))));
     }
