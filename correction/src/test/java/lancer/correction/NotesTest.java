@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -298,7 +300,6 @@ class NotesTest extends ClasseEssai {
                 "\"id\":\"" + nom + "\",\"nom\":\"" + nom)
                 .replace("\"verdicts\":{", "\"verdicts\":{\"brume.image\":{\"etat\":\"A_NOTER\",\"message\":\"\"},"));
         renoter();
-        contient(index(dossier), "etudiants/%253DSOMME%2528A1%2529%252Bk%253B%2540b.html");
         String aRemplir = Files.readString(dossier.resolve("ajustements-a-remplir.csv"));
         contient(aRemplir, "'=SOMME(A1)+k;'@b,brume,,");
         ajuster(aRemplir.replace("brume,,", "brume,0.5,"));
@@ -315,5 +316,25 @@ class NotesTest extends ClasseEssai {
         for (String page : List.of(page(dossier, "7001"), index(dossier))) {
             contient(page, "&lt;b&gt;x&lt;/b&gt; &amp; &#39;&quot;y&quot; ${7*7} &lt;#stop&gt; \uFFFD\uFFFD");
         }
+    }
+
+    @Test
+    void deuxCorrecteursALaFoisDonnentLUnion() throws Exception {
+        CompletableFuture<?>[] correcteurs = Stream.of("TP1", "TP2").map(nom -> CompletableFuture.runAsync(() -> {
+            try {
+                Path rendus = Files.createDirectories(dossier.resolve(nom));
+                for (String fin : List.of(" à déplier", " vide")) {
+                    Files.writeString(Files.createDirectories(rendus.resolve(nom + fin)).resolve("rapport.pdf"), "x");
+                }
+                Essai essai = executer("--sans-confinement", "--sortie", dossier, rendus);
+                assertEquals(0, essai.code, essai.erreur);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        })).toArray(CompletableFuture[]::new);
+        CompletableFuture.allOf(correcteurs).join();
+        assertEquals(Set.of("7001", "7002", "TP1 à déplier", "TP1 vide", "TP2 à déplier", "TP2 vide"),
+                classe(dossier).keySet());
+        contient(index(dossier), "6 entrées, 6 lignes", "etudiants/TP1%2520vide.html");
     }
 }
