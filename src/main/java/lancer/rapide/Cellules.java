@@ -14,7 +14,7 @@ final class Cellules {
     private static final double CUBES_MAX = 16;
 
     /** Élargissement de chaque boule : les erreurs d'un rayon dans la grille sont plus petites. */
-    final double marge;
+    private final double marge;
     private final boolean directions;
 
     /** Le coin de la grille, le côté d'un cube et son inverse, le nombre de cubes de chaque côté. */

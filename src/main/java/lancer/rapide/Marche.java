@@ -53,9 +53,9 @@ final class Marche implements Source {
         double bz = az + c.nz * dz;
         double sortie = Math.min(Math.max(ax, bx), Math.min(Math.max(ay, by), Math.max(az, bz)));
         entree = Math.max(0, Math.max(Math.min(ax, bx), Math.max(Math.min(ay, by), Math.min(az, bz))));
-        if (entree > sortie + c.marge) {
+        if (entree > sortie) {
             entree = Constantes.INFINI;
-            }
+        }
         int i = Math.max(0, Math.min((int) ((p.x + entree * v.x - c.x0) * c.parCote), c.nx - 1));
         int j = Math.max(0, Math.min((int) ((p.y + entree * v.y - c.y0) * c.parCote), c.ny - 1));
         int l = Math.max(0, Math.min((int) ((p.z + entree * v.z - c.z0) * c.parCote), c.nz - 1));
@@ -76,8 +76,7 @@ final class Marche implements Source {
 
     @Override
     public Suite suivante(Liste liste, double limite) {
-        double jusque = limite + c.marge;
-        while (entree <= jusque && entree < Constantes.INFINI) {
+        while (entree <= limite && entree < Constantes.INFINI) {
             int debut = c.debut[cube];
             int fin = c.debut[cube + 1];
             liste.examens++;

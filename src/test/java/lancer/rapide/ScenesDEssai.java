@@ -70,6 +70,20 @@ final class ScenesDEssai {
                 .lampe(0, 1e38, -1e38).lampe(3, 4, -2).scene());
         scenes.put("1e15", new ScenesDEssai(33).foule(taille, 2, 0.1, 0.4).sphere(0, -1e15 - 2, 0, 1e15).lampe(0, 1e16, 0).lampe(3, 4, -2)
                 .scene());
+        // une foule au bord de deux cubes et de deux boîtes, que les arrondis placent mal, ou dont les tailles débordent
+        for (double loin : new double[] {1e16, 1e140}) {
+            ScenesDEssai bouts = new ScenesDEssai(74).foule(20, 0.5, 0.1, 0.4);
+            for (int k = 0; k < 10; k++) {
+                bouts.sphere(k % 2 == 0 ? -loin : loin, 0, 8, 1 + k);
+            }
+            scenes.put("au milieu de " + loin, bouts.deuxLampes().scene());
+        }
+        // chaque boule est huit fois plus loin que la précédente : coupé au milieu, l'arbre serait trop profond
+        ScenesDEssai file = new ScenesDEssai(36);
+        for (double d = 1e-6; d < 1e110; d *= 8) {
+            file.sphere(0, 0, d, d / 5);
+        }
+        scenes.put("en file", file.deuxLampes().scene());
         scenes.put("rayon 1e100", new ScenesDEssai(34).sphere(0, 0, 0, 1e100).sphere(0, 0, 8, 1).deuxLampes().scene());
         return scenes;
     }
