@@ -10,11 +10,11 @@ import lancer.Vecteur;
  */
 final class PointDeVue {
 
-    /** Écart permis du point à la droite d'un rayon, en part de la portée ; une enveloppe en a le double. */
+    /**
+     * Écart permis du point à la droite d'un rayon, en part de la portée ; une enveloppe en a le double. Celui d'un
+     * rayon parti de plus loin est moins sûr, mais ce qu'il touche est plus loin encore, et plus élargi.
+     */
     private static final double ECART = 5e-14;
-
-    /** Distance au-delà de laquelle l'arrondi d'un produit vectoriel passerait l'écart, en écarts. */
-    private static final double PRES = 1e15;
 
     /** Élargissement d'un cône : une direction et l'erreur d'une distance sont de quelques arrondis. */
     private static final double MARGE = 1e-14;
@@ -110,7 +110,6 @@ final class PointDeVue {
         double cx = ay * v.z - az * v.y;
         double cy = az * v.x - ax * v.z;
         double cz = ax * v.y - ay * v.x;
-        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ax * v.x + ay * v.y + az * v.z >= 0
-                && Math.abs(ax) + Math.abs(ay) + Math.abs(az) <= PRES * ecart;
+        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ax * v.x + ay * v.y + az * v.z >= 0;
     }
 }
