@@ -199,12 +199,25 @@ class ComptesTest {
         }
     }
 
+    /** Ici, dans les cubes de l'espace, avant ceux de l'œil. */
     @Test
     void unePreparationInterrompueSArrete() {
-        Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
-        Thread.currentThread().interrupt();
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(7, 60, 0).scene().getObjets());
+        objets.add(new Sphere(new Point(), 1) {
+            @Override
+            public Sphere getEnveloppe() {
+                Thread.currentThread().interrupt();
+                return null;
+            }
+        });
+        Camera camera = new Camera(80, 60) {
+            @Override
+            public Point getOeil() {
+                throw new AssertionError("la préparation continue");
+            }
+        };
         try {
-            assertThrows(CancellationException.class, () -> Structuree.scene(scene, CAMERA));
+            assertThrows(CancellationException.class, () -> Structuree.scene(new Scene(objets, List.of()), camera));
         } finally {
             assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
         }

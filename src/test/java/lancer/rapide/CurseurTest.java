@@ -207,6 +207,28 @@ class CurseurTest {
         }
     }
 
+    /** D'une lampe si lointaine, la foule est dans quelques arrondis d'une direction. */
+    @Test
+    void deTresLoinUneLampeALesOmbresDeTousLesObjets() {
+        Lampe lampe = new Lampe(new Point(1e16, 1.5e16, -1.2e16), new Couleur(1));
+        Scene boucles = new Scene(ScenesDEssai.foule(3, 60, 0).scene().getObjets(), List.of(lampe));
+        Scene rapide = Structuree.scene(boucles, CAMERA);
+        for (Objet3D objet : boucles.getObjets()) {
+            Point centre = ((Sphere) objet).getCentre();
+            Vecteur L = new Vecteur(centre, lampe.getPosition()).normalized();
+            Point contact = centre.add(-1e16, L);
+            assertEquals(boucles.estCachee(lampe, contact, L, 3e16, null), rapide.estCachee(lampe, contact, L, 3e16, null));
+        }
+    }
+
+    /** Là où un cube commence juste au-delà de la sphère unité, un arrondi peut y mettre une direction. */
+    @Test
+    void uneDirectionUnPeuPlusLongueQueUnVoitAussi() {
+        Cellules cellules = Cellules.de(new double[] {0, 0, 1, 0.5}, new int[] {0}, 1e-14, true, 8, 100);
+        int cube = cellules.cubeDe(0, 0, 1 + 4e-15);
+        assertEquals(1, cellules.debut[cube + 1] - cellules.debut[cube]);
+    }
+
     /** Une question posée pendant une autre ne change ni ses objets, ni sa limite, ni l'objet qui y est à égalité. */
     @Test
     void uneQuestionPoseePendantUneAutreLaisseSaReponse() {
