@@ -48,7 +48,8 @@ final class Structures {
         int permisParVue = Math.max(CUBES_TOUJOURS, cubes) / (1 + lampes.size());
         int cubesParVue = Math.min(permisParVue, cubes);
         int placesParVue = PLACES_PAR_CUBE * permisParVue;
-        boolean avecVues = avecCellules && cubesParVue > n / 16;
+        // il y faut une place au moins par enveloppe
+        boolean avecVues = avecCellules && placesParVue >= n;
         oeil = avecVues ? vue(camera.getOeil(), camera.getEcran(0, 0), cubesParVue, placesParVue) : null;
         for (Lampe lampe : avecVues ? lampes : Collections.<Lampe>emptyList()) {
             Point p = lampe.getPosition();

@@ -1,7 +1,7 @@
 package lancer.rapide;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -89,8 +89,9 @@ class RegardTest {
         scenes.putAll(ScenesDEssai.extremes(60));
         scenes.putAll(ScenesDEssai.hostiles(300));
         scenes.forEach((nom, scene) -> {
-            assertFalse(trouve(scene), nom);
-            assertEquals(0, ComptesTest.cout(scene.getCompteurs()), nom);
+            Scene preparee = Structuree.scene(scene, CAMERA);
+            assertNull(Regard.regarder(preparee, CAMERA), nom);
+            assertEquals(0, ComptesTest.cout(preparee.getCompteurs()), nom);
         });
     }
 
