@@ -53,11 +53,17 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     @Test
-    void lesTouchesServentSurUnClavierFrancaisOuAllemandEtAuPave() throws Exception {
+    void lesTouchesServentSurUnClavierFrancaisAllemandOuSuisseEtAuPave() throws Exception {
         ouvrir();
+        int police = banc.etat().ecran.police;
         try {
-            for (String clavier : new String[] {"fr", "de"}) {
+            for (String clavier : new String[] {"fr", "de", "ch"}) {
                 disposer(clavier);
+                for (String touche : new String[] {"ctrl+plus", "ctrl+minus", "ctrl+KP_Add", "ctrl+0"}) {
+                    int voulue = police + (touche.matches(".*(plus|Add)") ? 1 : 0);
+                    taper(touche);
+                    attendre(clavier + ", " + touche, () -> banc.etat().ecran.police == voulue);
+                }
                 for (Etape etape : Etape.values()) {
                     banc.frapper(KeyEvent.VK_F6 + etape.ordinal());
                     attendreEtape(clavier + ", " + etape, etape);

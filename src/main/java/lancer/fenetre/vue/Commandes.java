@@ -117,8 +117,9 @@ final class Commandes implements Vue {
                 cochee("Remplir la fenêtre", "ctrl R", toujours, e -> e.ecran.remplie, Suite::remplir),
                 evenement("Loupe, plus près", "ctrl UP", scene, suite -> suite.approcher(true)),
                 evenement("Loupe, plus loin", "ctrl DOWN", scene, suite -> suite.approcher(false)),
+                // sur un clavier suisse, + est Maj+1
                 partout(evenement("Textes plus grands", "ctrl PLUS, ctrl ADD, ctrl shift PLUS, ctrl EQUALS, "
-                        + "ctrl shift EQUALS", toujours, suite -> suite.agrandir(1))),
+                        + "ctrl shift EQUALS, ctrl shift 1", toujours, suite -> suite.agrandir(1))),
                 partout(evenement("Textes plus petits", "ctrl MINUS, ctrl SUBTRACT, ctrl shift MINUS", toujours,
                         suite -> suite.agrandir(-1))),
                 partout(evenement("Textes à leur taille", "ctrl 0, ctrl NUMPAD0, ctrl shift 0, ctrl AGRAVE, "
