@@ -63,7 +63,7 @@ class ContratsTest {
     }
 
     @Test
-    void unRayonDOmbreEnDeuxMoitiesEstCompteUneFois() {
+    void unRayonDOmbreEnDeuxMoitiesEstCompteUneFoisEtRencontreCeQuiEstDansChacune() {
         Scene scene = new Scene(List.of(boule(5)), List.of());
         double loin = 2 * Constantes.LOINTAINE * 4;
         Lampe lampe = new Lampe(new Point(0, 0, -loin), new Couleur(1));
@@ -72,6 +72,10 @@ class ContratsTest {
         assertFalse(scene.estCachee(lampe, contact, new Vecteur(0, 0, -1), loin + 4, null));
         assertEquals(1, scene.getCompteurs().ombre);
         assertEquals(2, scene.getCompteurs().testsSpheres);
+        for (double part : new double[] {0.1, 0.4, 0.6, 0.9}) {
+            Scene cachee = new Scene(List.of(boule(4 - part * loin)), List.of());
+            assertTrue(cachee.estCachee(lampe, contact, new Vecteur(0, 0, -1), loin + 4, null), "à " + part + " du chemin");
+        }
     }
 
     /** Strictement entre les deux : deux boules qui se touchent là où l'on regarde ne s'y font pas d'ombre. */
