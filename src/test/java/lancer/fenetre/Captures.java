@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.awt.Robot;
@@ -11,7 +10,6 @@ import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.io.File;
 import java.util.Arrays;
-import java.util.Objects;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
@@ -73,9 +71,10 @@ final class Captures {
     private static Component attendre(String nom, String texte) throws InterruptedException {
         for (int fois = 0; fois < PATIENCE; fois++) {
             for (Window fenetre : Window.getWindows()) {
-                Component trouve = fenetre.isShowing() ? dans(fenetre, nom) : null;
-                if (trouve != null && (texte.isEmpty() || lire(trouve).contains(texte))) {
-                    return trouve;
+                for (Component trouve : EssaiFenetre.contenus(fenetre)) {
+                    if (trouve.isShowing() && nom.equals(trouve.getName()) && (texte.isEmpty() || lire(trouve).contains(texte))) {
+                        return trouve;
+                    }
                 }
             }
             Thread.sleep(PERIODE_MS);
@@ -86,14 +85,6 @@ final class Captures {
     }
 
     private static String lire(Component texte) {
-        return BancFenetre.delier(texte instanceof JLabel ? ((JLabel) texte).getText() : ((JTextComponent) texte).getText());
-    }
-
-    private static Component dans(Component composant, String nom) {
-        if (nom.equals(composant.getName())) {
-            return composant;
-        }
-        Component[] contenus = composant instanceof Container ? ((Container) composant).getComponents() : new Component[0];
-        return Arrays.stream(contenus).map(contenu -> dans(contenu, nom)).filter(Objects::nonNull).findFirst().orElse(null);
+        return EssaiFenetre.delier(texte instanceof JLabel ? ((JLabel) texte).getText() : ((JTextComponent) texte).getText());
     }
 }

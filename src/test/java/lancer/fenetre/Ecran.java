@@ -19,7 +19,7 @@ final class Ecran {
      */
     static Point trouver(int[] image, int largeur) throws AWTException {
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        int[] vu = BancFenetre.codes(new Robot().createScreenCapture(ecran));
+        int[] vu = EssaiFenetre.codes(new Robot().createScreenCapture(ecran));
         int hauteur = image.length / largeur;
         // un pixel qui n'est pas de la couleur du coin écarte d'un coup tout fond de cette couleur
         int temoin = IntStream.range(0, image.length).filter(k -> image[k] != image[0]).findFirst().orElse(0);

@@ -1,30 +1,60 @@
 package lancer.fenetre;
 
-import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.faire;
-import static lancer.fenetre.BancFenetre.pixelsSansFenetre;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.awt.AWTError;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executors;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
 import javax.swing.JFileChooser;
-import javax.swing.JMenu;
-import javax.swing.JMenuItem;
+import javax.swing.JFrame;
+import javax.swing.JTextArea;
+import javax.swing.JTree;
 import javax.swing.SwingUtilities;
+import javax.swing.tree.DefaultMutableTreeNode;
+import lancer.essai.Essai;
+import lancer.fenetre.etat.EssaiSuite;
+import lancer.fenetre.etat.Etat;
+import lancer.fenetre.etat.Suite;
 import lancer.image.ImageMemoire;
+import lancer.inspection.Recit.Noeud;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Une fenêtre du programme sur un vrai écran, et une petite scène à lui donner. */
+/** Une fenêtre du programme sur un vrai écran : on y frappe, on y regarde, et on attend sans dormir pour rien. */
 @Tag("fenetre")
 @Timeout(900)
 abstract class EssaiFenetre {
@@ -32,18 +62,23 @@ abstract class EssaiFenetre {
     static final int L = 320;
     static final int H = 240;
     static final String TAILLE = "--taille=" + L + "x" + H;
-    static final String ROUGE = "[Sphere 1]\ncentre=0 0.2 6\nrayon=1\nKd=0.9 0.15 0.1\nKs=0.3 0.3 0.3\nns=40\n"
-            + "[Sphere 2]\ncentre=-1.2 -0.6 5\nrayon=0.5\nKd=0.1 0.6 0.2\nKs=0.2 0.2 0.2\nns=10\n"
-            + "[Lampe 1]\nposition=-4 6 -3\ncouleur=0.9 0.9 0.85\n";
+    static final String ROUGE = EssaiSuite.ROUGE;
     static final String BLEUE = ROUGE.replace("0.9 0.15 0.1", "0.1 0.2 0.9");
-    static final String FAUTIVE = ROUGE.replace("rayon=1\n", "rayon=-1\n");
+
+    /** Attente au-delà de laquelle cela n'arrivera plus : quarante fois la plus lente des ouvertures de fenêtre, et au moins 40 s. */
+    private static volatile long patienceNs = TimeUnit.SECONDS.toNanos(40);
 
     @TempDir
     Path dossier;
     Path scene;
-    BancFenetre banc;
+    Robot robot;
+    MainLent main;
+    Fenetre fenetre;
+    JFrame cadre;
+    JComponent panneau;
     /** Ce que l'essai retient repart avec elle, et au plus tard à sa fin : aucun fil ne reste aux essais suivants. */
     final CountDownLatch suite = new CountDownLatch(1);
+    private final CountDownLatch fin = new CountDownLatch(1);
 
     @BeforeEach
     void ecrireLaScene() throws Exception {
@@ -52,10 +87,10 @@ abstract class EssaiFenetre {
     }
 
     @AfterEach
-    void fermer() throws Exception {
+    void finir() throws Exception {
         suite.countDown();
-        if (banc != null) {
-            banc.fermer();
+        if (cadre != null) {
+            fermer();
         }
     }
 
@@ -63,107 +98,277 @@ abstract class EssaiFenetre {
         Files.write(scene, texte.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Les arguments du programme, la scène la dernière. */
-    String[] args(String... options) {
-        String[] args = Arrays.copyOf(options, options.length + 2);
-        args[options.length] = TAILLE;
-        args[options.length + 1] = scene.toString();
-        return args;
+    String lu() throws Exception {
+        return new String(Files.readAllBytes(scene), StandardCharsets.UTF_8);
     }
 
-    MainLent lente(String... options) {
-        return new MainLent(args(options));
-    }
-
-    int[] attendue(int largeur, int hauteur) throws Exception {
-        return pixelsSansFenetre(dossier, scene, largeur, hauteur);
-    }
-
-    /** L'image que ces options donnent de la scène. */
-    int[] attendue(String... options) throws Exception {
-        return pixelsSansFenetre(dossier, scene, L, H, options);
+    /** Le programme, ralenti si on le demande, qui ouvrira la scène. */
+    MainLent lente() {
+        return new MainLent(TAILLE, scene.toString());
     }
 
     /** Ouvre la fenêtre sur la scène, et attend son image. */
-    ImageMemoire ouvrir(String... options) throws Exception {
-        banc = new BancFenetre(lente(options));
-        return banc.imageAchevee();
+    ImageMemoire ouvrir() throws Exception {
+        ouvrir(lente());
+        return imageAchevee();
     }
 
-    /** Clique sur ce pixel de l'image. */
-    void cliquer(int x, int y) throws Exception {
-        banc.cliquer(banc.panneau, (banc.panneau.getWidth() - L) / 2 + x, (banc.panneau.getHeight() - H) / 2 + y);
+    void ouvrir(MainLent celui) throws Exception {
+        exigerEcran();
+        long debut = System.nanoTime();
+        main = celui;
+        robot = new Robot();
+        // ni l'endroit où l'essai d'avant a laissé la souris, qu'un menu ouvert dessous suivrait, ni ce qu'il a copié ne comptent
+        Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
+        robot.mouseMove(ecran.width - 1, ecran.height - 1);
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
+        fenetre = main.ouvrir(fin::countDown);
+        cadre = fenetre.getCadre();
+        panneau = composant("image", JComponent.class);
+        patienceNs = Math.max(patienceNs, 40 * (System.nanoTime() - debut));
+    }
+
+    /** Ferme la fenêtre, sans rien demander, et attend que le programme se dise fini. */
+    void fermer() throws Exception {
+        faire(() -> {
+            Arrays.stream(Window.getWindows()).filter(w -> w != cadre).forEach(Window::dispose);
+            if (cadre.isDisplayable()) {
+                fenetre.recevoir(Suite::fermer);
+            }
+        });
+        assertTrue(fin.await(patienceNs, TimeUnit.NANOSECONDS), "la fenêtre est fermée, et le programme ne finit pas");
+    }
+
+    /** Une fenêtre ne s'ouvre que si on l'exige : sans cela, le test est sauté, même devant un écran ; avec, il lui en faut un. */
+    static void exigerEcran() {
+        assumeTrue(Boolean.getBoolean("fenetre.exigee"), "ouvre une fenêtre, et -Dfenetre.exigee=true n'est pas donné");
+        boolean ecran;
+        try {
+            ecran = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | LinkageError e) {
+            ecran = false;
+        }
+        assertTrue(ecran, "-Dfenetre.exigee=true, et pas d'écran, ou un Java sans fenêtres");
+    }
+
+    static void attendre(String quoi, Callable<Boolean> condition) throws Exception {
+        long limite = System.nanoTime() + patienceNs;
+        while (!surFilEvenements(condition)) {
+            if (System.nanoTime() > limite) {
+                fail("toujours pas : " + quoi);
+            }
+            Thread.sleep(10);
+        }
+    }
+
+    static <T> T surFilEvenements(Callable<T> question) throws Exception {
+        FutureTask<T> tache = new FutureTask<>(question);
+        EventQueue.invokeLater(tache);
+        return tache.get(patienceNs, TimeUnit.NANOSECONDS);
+    }
+
+    static void faire(Runnable geste) throws Exception {
+        surFilEvenements(Executors.callable(geste));
+    }
+
+    /** Attend la suite sans être interrompu, comme un disque lent ou une boucle sans fin. */
+    void retenir() {
+        while (true) {
+            try {
+                suite.await();
+                return;
+            } catch (InterruptedException e) {
+                // Échap n'arrête pas ce fil
+            }
+        }
+    }
+
+    /** Ce conteneur et tout ce qu'il contient. */
+    static List<Component> contenus(Component c) {
+        List<Component> contenus = new ArrayList<>(Arrays.asList(c));
+        for (Component enfant : c instanceof Container ? ((Container) c).getComponents() : new Component[0]) {
+            contenus.addAll(contenus(enfant));
+        }
+        return contenus;
+    }
+
+    /** Le composant visible de ce nom (ou de cette classe si {@code nom} est nul), dans n'importe quelle fenêtre ; ou {@code null}. */
+    static <T extends Component> T chercher(String nom, Class<T> classe) throws Exception {
+        return surFilEvenements(() -> Arrays.stream(Window.getWindows()).filter(Component::isShowing).flatMap(w -> contenus(w).stream())
+                .filter(c -> c.isShowing() && classe.isInstance(c) && (nom == null || nom.equals(c.getName()))).map(classe::cast)
+                .findFirst().orElse(null));
+    }
+
+    /** Le composant de ce nom, quand il sera là. */
+    static <T extends Component> T composant(String nom, Class<T> classe) throws Exception {
+        long limite = System.nanoTime() + patienceNs;
+        while (chercher(nom, classe) == null) {
+            assertTrue(System.nanoTime() < limite, "toujours pas de " + classe.getSimpleName() + " " + nom);
+            Thread.sleep(10);
+        }
+        return chercher(nom, classe);
+    }
+
+    /**
+     * Attend que cette fenêtre ait le clavier. Celle qui s'ouvre le prend quand elle peut : l'attendre avant de frapper ailleurs,
+     * sans quoi une touche va à la fenêtre qui vient de le perdre.
+     */
+    static void mettreDevant(Window fenetre) throws Exception {
+        attendre("le clavier est à la fenêtre", () -> {
+            if (!fenetre.isFocused()) {
+                fenetre.toFront();
+                fenetre.requestFocus();
+            }
+            // une touche frappée avant qu'un composant ait le clavier serait perdue
+            return fenetre.isFocused() && fenetre.getFocusOwner() != null;
+        });
+    }
+
+    /** Frappe des touches ensemble, comme Ctrl+S, quand le cadre les reçoit. */
+    void frapper(int... touches) throws Exception {
+        mettreDevant(cadre);
+        appuyer(touches);
+    }
+
+    void frapperCtrl(char lettre) throws Exception {
+        frapper(KeyEvent.VK_CONTROL, KeyEvent.getExtendedKeyCodeForChar(lettre));
+    }
+
+    /** De même, quand ce composant a le clavier. */
+    void frapper(JComponent ou, int... touches) throws Exception {
+        mettreDevant(SwingUtilities.getWindowAncestor(ou));
+        faire(ou::requestFocusInWindow);
+        attendre("le clavier y est", ou::isFocusOwner);
+        appuyer(touches);
+    }
+
+    private void appuyer(int... touches) {
+        for (int touche : touches) {
+            robot.keyPress(touche);
+        }
+        for (int k = touches.length - 1; k >= 0; k--) {
+            robot.keyRelease(touches[k]);
+        }
+    }
+
+    /** Met la vraie souris sur ce point du composant, dont la fenêtre passe devant. */
+    Point viser(Component composant, int x, int y) throws Exception {
+        Window sienne = SwingUtilities.getWindowAncestor(composant);
+        mettreDevant(sienne);
+        Point ou = surFilEvenements(() -> {
+            // sans gestionnaire de fenêtres, Java croit parfois la sienne dans le coin de l'écran : bougée, il sait où elle est
+            sienne.setLocation(sienne.getX() + 1, sienne.getY());
+            Point coin = composant.getLocationOnScreen();
+            return new Point(coin.x + x, coin.y + y);
+        });
+        robot.mouseMove(ou.x, ou.y);
+        return ou;
+    }
+
+    void cliquer(Component composant, int x, int y) throws Exception {
+        viser(composant, x, y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    /** L'endroit du panneau où se voit ce point de l'image. */
+    Point place(double xe, double ye) throws Exception {
+        lancer.Point ou = surFilEvenements(() -> etat().ecran.loupe.placeDe(etat().getVisible().image, xe, ye));
+        return new Point((int) ou.x, (int) ou.y);
     }
 
     /** Choisit ce fichier dans le dialogue qui s'ouvre ; rend le nom qui était proposé. */
-    String choisir(Path fichier) throws Exception {
+    static String choisir(Path fichier) throws Exception {
         JFileChooser choix = composant(null, JFileChooser.class);
         // comme quelqu'un : d'abord le clavier est au dialogue, et ce qui fut frappé avant ne va plus à la fenêtre
         attendre("le clavier est au dialogue", () -> SwingUtilities.getWindowAncestor(choix).isFocused());
         String propose = surFilEvenements(() -> {
             File selection = choix.getSelectedFile();
-            choix.setSelectedFile(fichier.toFile());
-            choix.approveSelection();
+            choix.setSelectedFile(fichier == null ? null : fichier.toFile());
+            if (fichier == null) {
+                choix.cancelSelection();
+            } else {
+                choix.approveSelection();
+            }
             return selection == null ? null : selection.getName();
         });
         attendre("le dialogue est fermé", () -> !choix.isShowing());
         return propose;
     }
 
-    /** Ferme le message, qui couvre le bas de l'image. */
-    void fermerLeMessage() throws Exception {
-        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
-        banc.cliquer(banc.bandeau, 5, 5);
-        banc.attendreMessage("");
+    /** L'image, une fois achevée. */
+    ImageMemoire imageAchevee() throws Exception {
+        attendre("l'image est achevée", () -> !etat().enCours() && etat().getImageEntiere() != null);
+        return surFilEvenements(() -> etat().getImageEntiere());
     }
 
-    /** Donne cette taille à la place de l'image. */
-    void retailler(int largeur, int hauteur) throws Exception {
-        faire(() -> {
-            banc.cadre.setSize(banc.cadre.getWidth() + largeur - banc.panneau.getWidth(),
-                    banc.cadre.getHeight() + hauteur - banc.panneau.getHeight());
-            banc.cadre.validate();
-        });
+    /** Attend que l'image achevée soit celle-ci. */
+    void attendreCodes(String quoi, int[] codes) throws Exception {
+        attendre(quoi, () -> etat().getImageEntiere() != null && Arrays.equals(etat().getImageEntiere().codes, codes));
     }
 
-    /** Ce que la fenêtre montre à la place de l'image. */
-    BufferedImage peinte() throws Exception {
-        return surFilEvenements(() -> {
-            BufferedImage image = new BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(), BufferedImage.TYPE_INT_RGB);
-            banc.panneau.paint(image.createGraphics());
-            return image;
-        });
+    /** De même, à l'écran aussi. */
+    void attendreImage(String quoi, int[] codes) throws Exception {
+        attendreCodes(quoi, codes);
+        attendre(quoi + ", à l'écran", () -> Ecran.trouver(codes, L) != null);
     }
 
-    /** Cet article du menu Dessin. */
-    JMenuItem article(String nom) {
-        return article(2, nom);
+    static int[] codes(BufferedImage image) {
+        int[] codes = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+        Arrays.setAll(codes, k -> codes[k] | 0xFF000000);
+        return codes;
     }
 
-    /** Cet article de ce menu. */
-    JMenuItem article(int menu, String nom) {
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(menu);
-        for (int k = 0; k < dessin.getItemCount(); k++) {
-            if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
-                return dessin.getItem(k);
-            }
+    /** Les pixels que le programme écrit de la scène, sans fenêtre. */
+    int[] attendue(String... options) throws Exception {
+        return codes(ImageIO.read(pngSansFenetre(options).toFile()));
+    }
+
+    Path pngSansFenetre(String... options) throws Exception {
+        Path png = Files.createTempFile(dossier, "attendu", ".png");
+        List<String> args = new ArrayList<>(Arrays.asList(options));
+        args.addAll(Arrays.asList("--image", png.toString(), TAILLE, scene.toString()));
+        Essai essai = Essai.executer(args.toArray(new String[0]));
+        assertEquals(0, essai.code, essai.toString());
+        return png;
+    }
+
+    Etat etat() {
+        return fenetre.getEtat();
+    }
+
+    /** Ce texte, où une espace insécable est une espace : {@link lancer.fenetre.vue} lie les signes à leurs mots. */
+    static String delier(String texte) {
+        return texte.replaceAll("\u00A0(?=[:;%?!»])", " ").replace("«\u00A0", "« ");
+    }
+
+    /** Attend que ce texte, comme la ligne du bas, « resume », le bandeau, « message », ou le verdict, commence ainsi. */
+    static void attendreTexte(String nom, String debut) throws Exception {
+        JTextArea texte = composant(nom, JTextArea.class);
+        attendre(nom + " dit « " + debut + " »", () -> delier(texte.getText()).startsWith(debut));
+    }
+
+    void attendreMessage(String debut) throws Exception {
+        if (debut.isEmpty()) {
+            attendre("plus de message", () -> chercherIci("message") == null);
+        } else {
+            attendreTexte("message", debut);
         }
-        throw new AssertionError("pas d'article " + nom);
     }
 
-    /** Attend la suite sans être interrompu, comme un disque lent ou une boucle sans fin. */
-    void retenir() {
-        attendreSansEtreInterrompu(suite);
+    private Component chercherIci(String nom) {
+        return contenus(cadre).stream().filter(c -> nom.equals(c.getName()) && c.isVisible()).findFirst().orElse(null);
     }
 
-    static void attendreSansEtreInterrompu(CountDownLatch loquet) {
-        while (true) {
-            try {
-                loquet.await();
-                return;
-            } catch (InterruptedException e) {
-                // Échap n'arrête pas ce fil
-            }
-        }
+    /** Les lignes qui se voient du récit, à demander sur le fil des événements. */
+    static String lu(JTree recit) {
+        return IntStream.range(0, recit.getRowCount()).mapToObj(r -> ((Noeud) ((DefaultMutableTreeNode) recit.getPathForRow(r)
+                .getLastPathComponent()).getUserObject()).texte).collect(Collectors.joining("\n"));
+    }
+
+    /** Les fils du programme qui vivent encore et dont le nom commence ainsi. */
+    static boolean vivent(String debut) {
+        return Thread.getAllStackTraces().keySet().stream().anyMatch(fil -> fil.getName().startsWith(debut) && fil.isAlive());
     }
 }

@@ -1,144 +1,245 @@
 package lancer.fenetre;
 
-import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.faire;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Color;
-import java.awt.Dimension;
-import java.awt.Rectangle;
+import java.awt.Point;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.image.BufferedImage;
-import java.io.File;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.concurrent.TimeUnit;
-import javax.swing.JComponent;
-import javax.swing.JTabbedPane;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.JOptionPane;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.JTree;
 import lancer.Camera;
 import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Lancer;
+import lancer.PointContact;
+import lancer.Rayon;
 import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.commande.Option;
+import lancer.essai.Plan;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
-/** La fenêtre elle-même : ses menus, ses touches, son icône, et l'écran qui manque. */
+/** La fenêtre entière, à l'écran : une image qui vient, une leçon du clic à l'écriture, et des fils qu'elle n'attend jamais. */
 class FenetreTest extends EssaiFenetre {
 
-    private static final Class<JTabbedPane> ONGLETS = JTabbedPane.class;
+    private static final int MAGENTA = 0xFFFF00FF;
 
-    private void attendreOnglet(String nom) throws Exception {
-        JTabbedPane panneau = composant("panneau", ONGLETS);
-        attendre("l'onglet " + nom, () -> panneau.getTitleAt(panneau.getSelectedIndex()).equals(nom));
+    @Test
+    void leBrouillonPuisLImageParaissentPuisCelleDuFichierEnregistreEtFermerNeLaisseAucunFil() throws Exception {
+        ImageMemoire brouillon = new ImageMemoire(L, H, false);
+        new Lancer(new Scene(scene.toString()), new Camera(L, H)).TracerBrouillon(brouillon, Constantes.REFLETS_BROUILLON, 1);
+        MainLent lent = lente();
+        lent.lent = true;
+        ouvrir(lent);
+        // le dernier pavé : l'image, ralentie, en est loin
+        int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
+        attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
+        assertTrue(etat().enCours());
+        assertNull(etat().getImageEntiere());
+        main.lent = false;
+        attendreImage("l'image le remplace", attendue());
+        assertEquals("lancer — boule.ini", cadre.getTitle());
+        assertEquals("", main.sortie.toString());
+        assertEquals(4, cadre.getIconImages().size());
+        // à la manière des éditeurs qui renomment, et à taille égale
+        Path nouveau = dossier.resolve("boule.ini.tmp");
+        Files.write(nouveau, BLEUE.getBytes("UTF-8"));
+        Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
+        attendreImage("la boule est bleue", attendue());
+        main.lent = true;
+        frapper(KeyEvent.VK_F5);
+        attendre("le brouillon est fait", () -> main.brouillonFait);
+        fermer();
+        assertFalse(surFilEvenements(cadre::isDisplayable));
+        attendre("plus aucun fil du programme", () -> !vivent("lancer-"));
     }
 
     @Test
-    void lePanneauSOuvreADroiteSansDeplacerLImageEtEchapRendSaTailleAuCadre() throws Exception {
+    void cliquerTaperTirerDefaireEcrireEtQuitter() throws Exception {
         ouvrir();
-        Dimension avant = surFilEvenements(banc.cadre::getSize);
-        Rectangle image = surFilEvenements(banc.panneau::getBounds);
-        banc.frapper(KeyEvent.VK_F2);
-        attendreOnglet("Réglages");
-        attendre("le cadre s'est élargi", () -> banc.cadre.getWidth() > avant.width);
-        assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a pas bougé");
-        banc.frapper(KeyEvent.VK_F3);
-        attendreOnglet("Vitesse");
-        faire(banc.panneau::requestFocusInWindow);
-        attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
-        banc.frapper(KeyEvent.VK_ENTER);
-        attendreOnglet("Pixel");
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le cadre reprend sa taille", () -> banc.cadre.getSize().equals(avant));
-        assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a toujours pas bougé");
+        cliquer(panneau, place(160, 110).x, place(160, 110).y);
+        attendreTexte("verdict", "Au bit près, la couleur du pixel dessiné : #");
+        JTextField rayon = composant("rayon", JTextField.class);
+        faire(rayon::selectAll);
+        frapper(rayon, KeyEvent.VK_1);
+        frapper(rayon, KeyEvent.VK_UP);
+        frapper(rayon, KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
+        attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : hors limites : « -8 »");
+        frapper(rayon, KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
+        attendre("deux, et l'image", () -> sphere().getRayon() == 2 && !etat().enCours());
+        Point de = place(160, 110);
+        tirer(de, 30, -20);
+        attendre("elle suit la souris", () -> sphere().getCentre().x > 0.1 && sphere().getCentre().y > 0.2);
+        attendre("un point dans le titre", () -> cadre.getTitle().equals("lancer — boule.ini •"));
+        frapperCtrl('z');
+        attendre("elle revient", () -> sphere().getCentre().x == 0);
+        tirer(de, 40, 0);
+        lancer.Point voulu = sphere().getCentre();
+        frapperCtrl('e');
+        attendre("tout est écrit", () -> cadre.getTitle().equals("lancer — boule.ini"));
+        attendreMessage("écrit dans boule.ini");
+        assertEquals(ROUGE.replace("rayon=1", "rayon=2").replace("0 0.2 6", lancer.scene.SceneLue.ecrire(voulu)), lu());
+        attendreCodes("l'image est celle du fichier", attendue());
+        String ecrit = lu();
+        tirer(de, 20, 0);
+        for (String reponse : new String[] {"Rester", "Oublier"}) {
+            assertTrue(cadre.isDisplayable());
+            frapperCtrl('q');
+            JOptionPane question = composant(null, JOptionPane.class);
+            assertEquals("Ce qui est changé dans « boule.ini » n'y est pas écrit.", question.getMessage());
+            faire(() -> question.setValue(reponse));
+            attendre("la question est fermée", () -> !question.isShowing());
+        }
+        attendre("fermée", () -> !cadre.isDisplayable());
+        assertEquals(ecrit, lu());
+    }
+
+    private Sphere sphere() {
+        return (Sphere) etat().demande.lue.objets.get(0);
+    }
+
+    /** Tire, Maj tenue. */
+    private void tirer(Point de, int dx, int dy) throws Exception {
+        Point ou = viser(panneau, de.x, de.y);
+        robot.keyPress(KeyEvent.VK_SHIFT);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        for (int k = 1; k <= 4; k++) {
+            robot.mouseMove(ou.x + dx * k / 4, ou.y + dy * k / 4);
+            robot.waitForIdle();
+        }
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        robot.keyRelease(KeyEvent.VK_SHIFT);
+        robot.waitForIdle();
     }
 
     @Test
-    void ceQuiSeMontreAUnNomPourUnLecteurDEcran() throws Exception {
+    void leFilDesEvenementsNAttendNiLaLectureNiLaPreparationNiLeDessin() throws Exception {
         ouvrir();
-        banc.frapper(KeyEvent.VK_ENTER);
-        composant("recit", JComponent.class);
-        nommes("image", "avancement", "cote", "recit");
-        banc.frapper(KeyEvent.VK_F3);
-        nommes("vitesse.graphique");
-    }
-
-    private void nommes(String... noms) throws Exception {
-        for (String nom : noms) {
-            String dit = composant(nom, JComponent.class).getAccessibleContext().getAccessibleName();
-            assertTrue(dit != null && !dit.trim().isEmpty(), nom);
-        }
-        attendre("l'image dit ce qu'elle est", () -> ("" + banc.panneau.getAccessibleContext().getAccessibleDescription())
-                .startsWith("320 × 240 pixels"));
-    }
-
-    @Test
-    void lIconeEstLaSceneDuCoursAPlusieursTailles() throws Exception {
-        banc = new BancFenetre(lente());
-        attendre("elle est là", () -> banc.cadre.getIconImages().size() == 4);
-        Lancer lancer = new Lancer(new Scene("scenes/scene1.ini"), new Camera(128, 128));
-        ImageMemoire dessinee = new ImageMemoire(128, 128, false);
-        lancer.TracerImage(dessinee, Constantes.MAX_REFLETS, 1);
-        BufferedImage icone = new BufferedImage(128, 128, BufferedImage.TYPE_INT_RGB);
-        icone.createGraphics().drawImage(banc.cadre.getIconImages().get(3), 0, 0, null);
-        int proches = 0;
-        for (int k = 0; k < 128 * 128; k++) {
-            Color a = new Color(icone.getRGB(k % 128, k / 128));
-            Color b = new Color(dessinee.codes[k]);
-            proches += Math.abs(a.getRed() - b.getRed()) + Math.abs(a.getBlue() - b.getBlue()) < 8 ? 1 : 0;
-        }
-        assertTrue(proches > 128 * 128 * 3 / 4, "aux bords près, qu'elle a plus doux : " + proches);
-    }
-
-    @Test
-    void sansEcranUneLigneProposeDeSePasserDeFenetre() throws Exception {
-        // ailleurs qu'avec X11, l'écran ne se cache pas par une variable, et une fenêtre s'ouvrirait
-        assumeTrue(System.getProperty("os.name").equals("Linux"), "pas un Linux");
-        for (String affichage : new String[] {null, ":98765"}) {
-            Path dit = dossier.resolve("dit.txt");
-            ProcessBuilder programme = BancFenetre.processus(dit, "lancer.Main", scene.toString());
-            programme.environment().remove("DISPLAY");
-            if (affichage != null) {
-                programme.environment().put("DISPLAY", affichage);
+        main.lent = true;
+        for (String etape : new String[] {"dessin ", "préparation ", "lecture "}) {
+            main.avantDessin = etape.startsWith("p") ? this::retenir : () -> { };
+            main.avantLecture = etape.startsWith("l") ? this::retenir : () -> { };
+            frapper(KeyEvent.VK_F5);
+            attendreTexte("resume", etape);
+            for (int k = 0; k < 50; k++) {
+                surFilEvenements(() -> null);
             }
-            assertEquals(1, programme.start().waitFor());
-            String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
-            assertTrue(ligne.matches("lancer : .*--image.*\\R"), ligne);
+            assertTrue(etat().enCours(), "rien n'a eu à finir pour cela");
+            frapper(KeyEvent.VK_ESCAPE);
+            attendre("arrêté", () -> !etat().enCours());
+            attendre("aucun fil ne dessine", () -> !vivent("lancer-1"));
         }
+        assertEquals(1, suite.getCount());
+        suite.countDown();
+        main.lent = false;
+        frapper(KeyEvent.VK_F5);
+        attendreImage("et tout se remet en marche", attendue());
     }
 
-    /** Le même Java, sans la bibliothèque qui ouvre des fenêtres sous X11, que certains paquets n'ont pas. */
     @Test
-    void unJavaSansFenetresDevantUnEcranLeDitAuLieuDeNierLEcran() throws Exception {
-        BancFenetre.exigerEcran();
-        Path vrai = Paths.get(System.getProperty("java.home")).toRealPath();
-        assumeTrue(Files.exists(vrai.resolve("lib/libawt_xawt.so")), "pas un Java de Linux");
-        Path java = Files.createDirectory(dossier.resolve("java"));
-        Files.createDirectories(java.resolve("lib/server"));
-        Files.createDirectories(java.resolve("bin"));
-        Files.copy(vrai.resolve("bin/java"), java.resolve("bin/java"));
-        Path classes = Files.createSymbolicLink(java.resolve("lib/modules"), vrai.resolve("lib/modules"));
-        for (String ou : new String[] {"lib", "lib/server"}) {
-            for (File f : vrai.resolve(ou).toFile().listFiles()) {
-                // Java cherche ses bibliothèques à côté d'elles-mêmes, et non de leurs liens
-                if (f.getName().matches("(?!libawt_xawt).*\\.(so|cfg|dat)")) {
-                    Files.copy(f.toPath(), java.resolve(ou).resolve(f.getName()));
+    void unePanneDuDessinSeLitDansLaFenetreQuiResteUtilisable() throws Exception {
+        MainLent panne = lente();
+        panne.avantDessin = () -> {
+            throw new IllegalStateException("objet\nmal fait");
+        };
+        ouvrir(panne);
+        attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
+        main.avantDessin = () -> { };
+        frapper(KeyEvent.VK_F5);
+        attendreMessage("");
+        attendreCodes("l'image est là", attendue());
+    }
+
+    @Test
+    void unPixelQuiEchoueEstMagentaLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
+        MainLent fautif = lente();
+        fautif.apresLecture = lue -> lue.objets.add(new Plan(new lancer.Point(0, 0, 50), new Vecteur(0, 0, -1)) {
+            @Override
+            public Couleur getColor(Scene celle, Rayon incident, PointContact contact, int profondeur) {
+                if (contact.y < -8) {
+                    throw new IllegalStateException("boum");
                 }
+                return new Couleur(0.5);
             }
-        }
-        Path dit = dossier.resolve("dit.txt");
-        ProcessBuilder programme = BancFenetre.processus(dit, "lancer.Main", scene.toString());
-        programme.command().set(0, java.resolve("bin/java").toString());
-        Process lance = programme.start();
-        assertTrue(lance.waitFor(40, TimeUnit.SECONDS), "une fenêtre s'est ouverte");
-        Files.delete(classes);
-        assertEquals(1, lance.exitValue());
-        String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
-        assertTrue(ligne.matches("lancer : impossible d'ouvrir une fenêtre : .*default-jdk.*--image.*\\R"), ligne);
+        });
+        ouvrir(fautif);
+        int[] codes = imageAchevee().codes;
+        int premier = Arrays.stream(codes).boxed().collect(java.util.stream.Collectors.toList()).indexOf(MAGENTA);
+        long fautifs = Arrays.stream(codes).filter(code -> code == MAGENTA).count();
+        assertTrue(fautifs > 100 && Arrays.stream(codes).anyMatch(code -> code == 0xFF808080), "le mur se voit ailleurs");
+        attendreMessage(fautifs + " pixels n'ont pu être calculés ; le premier : pixel " + premier % L + ", " + premier / L + " de "
+                + scene + " : java.lang.IllegalStateException: boum (");
+        frapperCtrl('s');
+        JTextArea message = composant("message", JTextArea.class);
+        attendre("elle ne s'enregistre pas", () -> delier(message.getText()).contains("\nImage non enregistrée : " + fautifs));
+        cliquer(message, 5, 5);
+        cliquer(panneau, place(premier % L, premier / L).x, place(premier % L, premier / L).y);
+        JTree recit = composant("recit", JTree.class);
+        attendre("la chaîne va jusqu'à la faute", () -> lu(recit).contains("\néchec : java.lang.IllegalStateException: boum ("));
+        attendreTexte("verdict", "Ce pixel n'a pu être calculé.");
+    }
+
+    /** Les pixels qui sont là restent, et le dessin suivant se fait. */
+    @Test
+    void unObjetQuiNeRendJamaisLaMainSArreteParEchapEtLeDessinSuivantSeFait() throws Exception {
+        MainLent boucle = new MainLent("--fils=2", TAILLE, scene.toString());
+        AtomicBoolean retenu = new AtomicBoolean(true);
+        AtomicInteger retenus = new AtomicInteger();
+        boucle.apresLecture = lue -> lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
+            @Override
+            public Vecteur getNormale(lancer.Point contact) {
+                if (retenu.get() && boucle.brouillonFait) {
+                    retenus.incrementAndGet();
+                    retenir();
+                }
+                return super.getNormale(contact);
+            }
+        });
+        ouvrir(boucle);
+        attendre("le brouillon est montré, et l'image retenue", () -> etat().montre.dessin != null && retenus.get() > 1);
+        frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap l'arrête", () -> !etat().enCours());
+        assertTrue(Arrays.stream(etat().montre.dessin.image.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
+        retenu.set(false);
+        frapper(KeyEvent.VK_F5);
+        int[] codes = imageAchevee().codes.clone();
+        suite.countDown();
+        attendre("les fils retenus s'en vont", () -> !vivent("lancer-1") && !vivent("lancer-2"));
+        assertArrayEquals(codes, surFilEvenements(() -> etat().getImageEntiere()).codes);
+    }
+
+    @Test
+    void f3MesureEchapArreteEtUnPointSePrendAuClavier() throws Exception {
+        // une petite image est assez dessinée en un instant ; paire, aucune ligne n'y est à l'horizon
+        ouvrir(new MainLent("--taille=100x76", "--reflets=7", scene.toString()));
+        imageAchevee();
+        frapper(KeyEvent.VK_F3);
+        attendreTexte("vitesse.etat", "mesure en cours : ");
+        frapper(KeyEvent.VK_ESCAPE);
+        attendreTexte("vitesse.etat", "arrêtée : ");
+        frapper(KeyEvent.VK_F3);
+        attendre("tout est mesuré", () -> !etat().mesures.essais.isEmpty()
+                && etat().direLesMesures().matches("(Les flèches|La machine est occupée).*"));
+        frapper(KeyEvent.VK_RIGHT);
+        JTextArea dit = composant("vitesse.etat", JTextArea.class);
+        attendre("une flèche désigne un point", () -> delier(dit.getText()).contains(" réflexion"));
+        int reflets = Integer.parseInt(surFilEvenements(dit::getText).replaceFirst("(?s).*, (\\d+) réflexion.*", "$1"));
+        frapper(KeyEvent.VK_ENTER);
+        attendre("Entrée le prend", () -> etat().demande.reglages.get(Option.REFLETS) == reflets);
+        assertTrue(etat().mesures.essais.values().stream().allMatch(essai -> essai.suffit() && essai.durees.getMediane() > 0));
     }
 }

@@ -1,8 +1,8 @@
 package lancer.fenetre;
 
 import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import lancer.Couleur;
@@ -17,97 +17,58 @@ import lancer.essai.Essai;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
-/** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
+/** Le programme, dont la lecture se retient, et dont le dessin se ralentit après le brouillon. */
 class MainLent implements Programme {
 
     private static final long PAUSE_NS = 1_000_000;
-    final Reglages options;
+    /** Ce que le programme écrit, et dit. */
     final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-    final ByteArrayOutputStream erreur = new ByteArrayOutputStream();
     volatile boolean lent;
-    private volatile Dessin dernier;
-    private volatile boolean brouillonFait;
-    private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
-    private Consumer<SceneLue> apresLecture = lue -> { };
+    /** Vrai si le brouillon du dessin en cours est fait. */
+    volatile boolean brouillonFait;
+    /** Ce qui se fait avant chaque lecture, puis à ce qui est lu, et avant chaque dessin. */
+    volatile Runnable avantLecture = () -> { };
+    volatile Consumer<SceneLue> apresLecture = lue -> { };
+    volatile Runnable avantDessin = () -> { };
+    private final Reglages options;
 
     MainLent(String... args) {
         options = Options.lire(args);
     }
 
-    MainLent lent() {
-        lent = true;
-        return this;
-    }
-
-    /** Vrai si le brouillon du dessin en cours est fait. */
-    boolean brouillonFait() {
-        return brouillonFait;
-    }
-
-    /** Fait d'abord ceci, à chaque lecture. */
-    MainLent avantLecture(BiConsumer<String, DoubleConsumer> geste) {
-        avantLecture = geste;
-        return this;
-    }
-
-    /** Change ce qui est lu, à chaque lecture. */
-    MainLent apresLecture(Consumer<SceneLue> geste) {
-        apresLecture = geste;
-        return this;
-    }
-
     @Override
     public SceneLue lire(String fichier, DoubleConsumer suivi) {
-        avantLecture.accept(fichier, suivi);
+        avantLecture.run();
         SceneLue lue = LecteurScene.lireEtGarder(fichier, suivi);
         apresLecture.accept(lue);
         return lue;
     }
 
-    /** Fait le dessin en cours. */
-    void tracer(Runnable dessiner) {
-        dessiner.run();
-    }
-
-    /** Peint un pixel de la ligne {@code ye} du dessin en cours. */
-    void peindre(int ye, Runnable peindre) {
-        peindre.run();
-        if (lent && brouillonFait()) {
-            LockSupport.parkNanos(PAUSE_NS);
-        }
-    }
-
     @Override
     public Dessin dessiner(Demande demande, Consumer<Dessin> suivi) {
-        dernier = null;
+        Dessin[] dernier = new Dessin[1];
         brouillonFait = false;
+        avantDessin.run();
         new Main(demande, dessin -> {
-            brouillonFait = dernier != null;
-            dernier = dessin;
+            brouillonFait = dernier[0] != null;
+            dernier[0] = dessin;
             suivi.accept(dessin);
         }) {
             @Override
-            public void doTracerImage(int largeur, int hauteur) {
-                tracer(() -> super.doTracerImage(largeur, hauteur));
-            }
-
-            @Override
             public void drawPixel(Couleur coul, int xe, int ye) {
-                peindre(ye, () -> super.drawPixel(coul, xe, ye));
+                super.drawPixel(coul, xe, ye);
+                if (lent && brouillonFait) {
+                    LockSupport.parkNanos(PAUSE_NS);
+                }
             }
         }.doTracerImage(demande.largeur, demande.hauteur);
-        Essai.exigerLaRecherche(dernier.ecart);
-        Rapport.dire(dernier, BancFenetre.flux(sortie), BancFenetre.flux(erreur));
-        return dernier;
-    }
-
-    /** Le dernier dessin commencé, {@code null} s'il se prépare. */
-    Dessin getDessin() {
-        return dernier;
+        Essai.exigerLaRecherche(dernier[0].ecart);
+        Rapport.dire(dernier[0], new PrintStream(sortie, true), new PrintStream(sortie, true));
+        return dernier[0];
     }
 
     /** Ouvre la fenêtre de ce programme. */
     Fenetre ouvrir(Runnable fin) {
-        return Ouverture.ouvrir(options, this, BancFenetre.flux(erreur), fin);
+        return Ouverture.ouvrir(options, this, new PrintStream(sortie, true), fin);
     }
 }

@@ -1,7 +1,9 @@
 package lancer.fenetre.etat;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +19,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import javax.imageio.ImageIO;
 import lancer.Main;
 import lancer.commande.Etape;
 import lancer.commande.Options;
@@ -297,6 +300,21 @@ public abstract class EssaiSuite {
         return faire(() -> Files.readString(fichier));
     }
 
+    /** Les codes de l'image que ces options donnent de cette scène, sans fenêtre. */
+    protected int[] sansFenetre(String scene, String... autres) {
+        Path png = dossier.resolve("image.png");
+        List<String> args = new ArrayList<>(Arrays.asList("--taille=" + etat.demande.largeur + "x" + etat.demande.hauteur, "--image=" + png));
+        args.addAll(Arrays.asList(autres));
+        args.add(fichier("sans-fenetre.ini", scene).toString());
+        assertEquals("", Essai.executer(args.toArray(new String[0])).erreur);
+        return codes(png);
+    }
+
+    protected static int[] codes(Path png) {
+        BufferedImage image = faire(() -> ImageIO.read(png.toFile()));
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+
     /** Ouvre la scène, et achève son image. */
     protected void montrerLaBoule() {
         arrive(suite -> suite.montrerLaPremiere(new Demande(lire(boule.toString()), options)));
@@ -310,11 +328,20 @@ public abstract class EssaiSuite {
         return lue;
     }
 
+    /** Un autre état suit : une vue le montrerait. */
+    protected void montrer() {
+        // ici, rien ne le montre
+    }
+
     /** Voici ce qui arrive. @return l'état qui suit */
     protected Etat arrive(Suite.Evenement evenement) {
         Suite suite = Suite.apres(etat, evenement);
-        publies += suite.getEtat() == etat ? 0 : 1;
+        Etat avant = etat;
         etat = suite.getEtat();
+        if (etat != avant) {
+            publies++;
+            montrer();
+        }
         suite.getOrdres().forEach(ordre -> ordre.executer(moteur, vue));
         return etat;
     }
