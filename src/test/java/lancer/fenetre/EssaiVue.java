@@ -72,7 +72,7 @@ public abstract class EssaiVue extends EssaiSuite {
     @AfterEach
     void defaireLeCadre() throws Exception {
         if (cadre != null) {
-            EventQueue.invokeAndWait(cadre::fermer);
+            EventQueue.invokeAndWait(cadre::dispose);
         }
     }
 

@@ -21,6 +21,7 @@ import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import lancer.essai.Essai;
@@ -34,6 +35,7 @@ class FenetreDialoguesTest extends EssaiFenetre {
         ouvrir(new MainLent(TAILLE));
         choisir(null);
         attendreMessage("Ctrl+O pour ouvrir une scène");
+        cliquer(composant("message", JTextArea.class), 5, 5);
         mettreDevant(cadre);
         robot.keyPress(KeyEvent.VK_CONTROL);
         for (int k = 0; k < 3; k++) {

@@ -37,7 +37,8 @@ class FenetreEcranDenseTest extends EssaiProcessus {
         int[] attendue = EssaiFenetre.codes(ImageIO.read(png.toFile()));
         assertTrue(IntStream.range(0, L * H).allMatch(k -> Math.hypot(k % L - 150, k / L - 110) > 22 || plusSombre(attendue[k]) < 200),
                 "rien de clair, là où se verra l'anneau");
-        processus = preparer(java("-Dsun.java2d.uiScale=2", EssaiFenetre.TAILLE, scene.toString())).start();
+        processus = preparer(java("-Dsun.java2d.uiScale=2 -Djava.util.prefs.userRoot=" + dossier, EssaiFenetre.TAILLE,
+                scene.toString())).start();
         Robot robot = new Robot();
         Point coin = new Point();
         EssaiFenetre.attendre("l'image", () -> voir(attendue, coin));

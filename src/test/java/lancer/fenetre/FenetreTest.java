@@ -15,6 +15,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import javax.swing.JOptionPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -31,6 +32,7 @@ import lancer.Vecteur;
 import lancer.commande.Option;
 import lancer.essai.Plan;
 import lancer.image.ImageMemoire;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** La fenêtre entière, à l'écran : une image qui vient, une leçon du clic à l'écriture, et des fils qu'elle n'attend jamais. */
@@ -81,6 +83,11 @@ class FenetreTest extends EssaiFenetre {
         attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : hors limites : « -8 »");
         frapper(rayon, KeyEvent.VK_SHIFT, KeyEvent.VK_UP);
         attendre("deux, et l'image", () -> sphere().getRayon() == 2 && !etat().enCours());
+        JTextField ns = composant("ns", JTextField.class);
+        faire(ns::selectAll);
+        frapper(ns, KeyEvent.VK_7);
+        frapper(ns, KeyEvent.VK_TAB);
+        attendre("quitté, un champ est pris", () -> etat().demande.lue.getSection("Sphere 1").mot("ns", null).equals("7"));
         Point de = place(160, 110);
         tirer(de, 30, -20);
         attendre("elle suit la souris", () -> sphere().getCentre().x > 0.1 && sphere().getCentre().y > 0.2);
@@ -92,7 +99,7 @@ class FenetreTest extends EssaiFenetre {
         frapperCtrl('e');
         attendre("tout est écrit", () -> cadre.getTitle().equals("lancer — boule.ini"));
         attendreMessage("écrit dans boule.ini");
-        assertEquals(ROUGE.replace("rayon=1", "rayon=2").replace("0 0.2 6", lancer.scene.SceneLue.ecrire(voulu)), lu());
+        assertEquals(ROUGE.replace("rayon=1", "rayon=2").replace("ns=40", "ns=7").replace("0 0.2 6", SceneLue.ecrire(voulu)), lu());
         attendreCodes("l'image est celle du fichier", attendue());
         String ecrit = lu();
         tirer(de, 20, 0);
@@ -178,7 +185,7 @@ class FenetreTest extends EssaiFenetre {
         });
         ouvrir(fautif);
         int[] codes = imageAchevee().codes;
-        int premier = Arrays.stream(codes).boxed().collect(java.util.stream.Collectors.toList()).indexOf(MAGENTA);
+        int premier = IntStream.range(0, codes.length).filter(k -> codes[k] == MAGENTA).findFirst().getAsInt();
         long fautifs = Arrays.stream(codes).filter(code -> code == MAGENTA).count();
         assertTrue(fautifs > 100 && Arrays.stream(codes).anyMatch(code -> code == 0xFF808080), "le mur se voit ailleurs");
         attendreMessage(fautifs + " pixels n'ont pu être calculés ; le premier : pixel " + premier % L + ", " + premier / L + " de "

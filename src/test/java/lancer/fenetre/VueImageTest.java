@@ -123,7 +123,7 @@ class VueImageTest extends EssaiVue {
                 place(80, 55).y));
         choisir("Vue : image");
         executer();
-        assertFalse(composant("legende", JPanel.class).isVisible());
+        assertEquals(0, composant("legende", JPanel.class).getComponentCount());
     }
 
     @Test

@@ -17,9 +17,11 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
-import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.SwingUtilities;
 import lancer.commande.Etape;
 import lancer.commande.Option;
 import lancer.essai.Essai;
@@ -66,17 +68,18 @@ class VueOngletsTest extends EssaiVue {
         faire("clic 80 55, achève");
         frapper(panneau, "D");
         JTree recit = composant("recit", JTree.class);
-        for (int largeur : new int[] {430, 310, 620}) {
-            recit.getParent().setSize(largeur, 300);
+        JSplitPane partage = (JSplitPane) SwingUtilities.getAncestorOfClass(JTabbedPane.class, recit).getParent();
+        for (int plus : new int[] {0, 120, -200}) {
+            partage.setDividerLocation(partage.getDividerLocation() - plus);
+            cadre.validate();
             Arrays.stream(recit.getParent().getComponentListeners()).forEach(suiveur -> suiveur.componentResized(null));
-            recit.setSize(largeur, 300);
             assertTrue(IntStream.range(0, recit.getRowCount()).allMatch(k -> {
                 Rectangle place = recit.getRowBounds(k);
                 JTextArea ligne = (JTextArea) recit.getCellRenderer().getTreeCellRendererComponent(recit,
                         recit.getPathForRow(k).getLastPathComponent(), false, true, false, k, false);
                 ligne.setSize(place.width, Short.MAX_VALUE);
-                return place.x + place.width <= largeur && ligne.getPreferredSize().height <= place.height;
-            }), "aucune ligne n'est coupée, à " + largeur);
+                return place.x + place.width <= recit.getVisibleRect().width && ligne.getPreferredSize().height <= place.height;
+            }), "aucune ligne n'est coupée, de " + plus);
         }
     }
 
@@ -109,13 +112,13 @@ class VueOngletsTest extends EssaiVue {
 
     /** 2.3 : tout nombre de ce que voit le pixel se tape, ou se change d'un pas. */
     @Test
-    void unNombreSeTapeEtLImageSuit() {
+    void unNombreSeTapeEtLImageSuit() throws Exception {
         ouvrir();
         faire("clic 80 55, achève");
         assertEquals("[Sphere 1] ligne 1", composant("section", JLabel.class).getText());
-        JTextField rayon = composant("rayon", JTextField.class);
+        JFormattedTextField rayon = composant("rayon", JFormattedTextField.class);
         assertEquals("1", rayon.getText());
-        taper(rayon, "-2");
+        assertThrows(ParseException.class, () -> taper(rayon, "-2"));
         assertTrue(message().contains("ligne 3, [Sphere 1], rayon : hors limites : « -2 » ; attendu : "), message());
         assertEquals("-2", rayon.getText(), "elle reste à corriger");
         taper(rayon, "0.80");
@@ -124,18 +127,14 @@ class VueOngletsTest extends EssaiVue {
         frapper(rayon, "shift UP");
         assertEquals("0.91", section("rayon"));
         assertEquals("0.91", rayon.getText());
-        taper(composant("Kd", JTextField.class), "0 0 1");
+        taper(composant("Kd", JFormattedTextField.class), "0 0 1");
         faire("achève, Ctrl+E, achève");
         assertEquals(ROUGE.replace("rayon=1", "rayon=0.91").replace("Kd=0.9 0.15 0.1", "Kd=0 0 1"), lu(boule));
-        JTextField ns = composant("ns", JTextField.class);
-        ns.setText("7");
-        ns.getFocusListeners()[ns.getFocusListeners().length - 1].focusLost(null);
-        assertEquals("7", section("ns"), "quitté, un champ est pris");
     }
 
-    private static void taper(JTextField champ, String texte) {
+    private static void taper(JFormattedTextField champ, String texte) throws ParseException {
         champ.setText(texte);
-        champ.postActionEvent();
+        champ.commitEdit();
     }
 
     @ParameterizedTest
@@ -147,12 +146,10 @@ class VueOngletsTest extends EssaiVue {
         faire("F2");
         JFormattedTextField champ = composant(nom, JFormattedTextField.class);
         assertEquals(present, champ.getText());
-        champ.setText(faux);
-        assertThrows(ParseException.class, champ::commitEdit);
+        assertThrows(ParseException.class, () -> taper(champ, faux));
         assertEquals(nom + " : " + dit, message());
         assertEquals(faux, champ.getText(), "il reste à corriger");
-        champ.setText(bon);
-        champ.commitEdit();
+        taper(champ, bon);
         assertEquals("", message());
         faire("achève");
         assertTrue(dit("resume").contains(bon), dit("resume"));

@@ -10,6 +10,7 @@ import lancer.commande.Reglages;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fenetre.etat.Essai;
+import lancer.fenetre.etat.Suite;
 import org.junit.jupiter.api.Test;
 
 /** La fenêtre, avec l'anticrénelage : les échantillons du pixel se voient, et celui du centre est expliqué. */
@@ -39,7 +40,8 @@ class VueAntialiasTest extends EssaiVue {
         faire("F3, achève");
         Essai voulu = etat.mesures.essais.values().stream().filter(essai -> essai.direLeReglage()
                 .equals("[Antialias] n=2 methode=partage seuil=0.15, 1000 réflexions, seuil 1/128")).findFirst().get();
-        arrive(suite -> suite.prendre(voulu.reglages));
+        arrive(suite -> suite.viser(voulu.reglages));
+        arrive(Suite::prendre);
         faire("achève");
         assertTrue(dit("resume").contains(", 1000 réflexions, seuil 1/128, [Antialias] n=2 "), dit("resume"));
         assertArrayEquals(sansFenetre(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.15\n", "--reflets=1000", "--seuil=0.0078125"),

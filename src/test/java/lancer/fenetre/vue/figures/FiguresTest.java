@@ -88,17 +88,18 @@ class FiguresTest {
         vue.montrer(pixel);
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
+        AffineTransform cadre = vue.cadrer();
         Point oeil = camera.getOeil();
         assertEquals(UIManager.getColor("Tree.textForeground").getRGB(),
-                image.getRGB((int) vue.place(vue.cadrer(), oeil).getX() - 2, (int) vue.place(vue.cadrer(), oeil).getY()), "l'œil");
+                image.getRGB((int) vue.place(cadre, oeil).getX() - 2, (int) vue.place(cadre, oeil).getY()), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
-            assertTrue(new Color(image.getRGB((int) vue.place(vue.cadrer(), bord).getX(), (int) vue.place(vue.cadrer(), bord).getY())).getRed() < BLANC, "l'écran");
+            assertTrue(new Color(image.getRGB((int) vue.place(cadre, bord).getX(), (int) vue.place(cadre, bord).getY())).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
         for (Point passe : new Point[] {milieu(oeil, ecran), ecran, milieu(ecran, contact)}) {
-            assertTrue(voisins(image, vue.place(vue.cadrer(), passe).getX(), vue.place(vue.cadrer(), passe).getY(), true), "le rayon en " + passe);
+            assertTrue(voisins(image, vue.place(cadre, passe).getX(), vue.place(cadre, passe).getY(), true), "le rayon en " + passe);
         }
     }
 
@@ -131,12 +132,13 @@ class FiguresTest {
         vue.montrer(pixel);
         BufferedImage peinte = new BufferedImage(500, 180, BufferedImage.TYPE_INT_RGB);
         vue.paint(peinte.createGraphics());
+        AffineTransform cadre = vue.cadrer();
         int jugees = 0;
         for (int x = 0; x < 500; x++) {
-            double dz = (x + 0.5 - vue.place(vue.cadrer(), new Point(0, 0, z)).getX())
-                    / (vue.place(vue.cadrer(), new Point(0, 0, 1)).getX() - vue.place(vue.cadrer(), new Point()).getX());
+            double dz = (x + 0.5 - vue.place(cadre, new Point(0, 0, z)).getX())
+                    / (vue.place(cadre, new Point(0, 0, 1)).getX() - vue.place(cadre, new Point()).getX());
             if (Math.abs(dz) < 0.9 * rayon) {
-                double hauteur = vue.place(vue.cadrer(), new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z)).getY();
+                double hauteur = vue.place(cadre, new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z)).getY();
                 if (hauteur > 1 && hauteur < 178) {
                     jugees++;
                     assertTrue(estGris(peinte, x, (int) (hauteur - 0.5)) || estGris(peinte, x, (int) (hauteur + 0.5)),
