@@ -47,7 +47,8 @@ public abstract class EssaiVue extends EssaiSuite {
     static final class FilDesEvenements implements InvocationInterceptor {
 
         @Override
-        public void interceptTestMethod(Invocation<Void> essai, ReflectiveInvocationContext<Method> ou, ExtensionContext c) throws Throwable {
+        public void interceptTestMethod(Invocation<Void> essai, ReflectiveInvocationContext<Method> ou, ExtensionContext c)
+                throws Throwable {
             EssaiFenetre.exigerEcran();
             Throwable[] echec = new Throwable[1];
             EventQueue.invokeAndWait(() -> {

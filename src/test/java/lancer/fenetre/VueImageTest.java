@@ -198,7 +198,8 @@ class VueImageTest extends EssaiVue {
         for (String geste : new String[] {"+, achève, -", "F2", "clic 80 55", "-, achève, Espace"}) {
             faire(geste + ", achève");
             placer(L, H);
-            assertEquals(geste.startsWith("clic"), !Arrays.equals(etat.getVisible().image.codes, EssaiFenetre.codes(peint(panneau))), geste);
+            boolean nue = Arrays.equals(etat.getVisible().image.codes, EssaiFenetre.codes(peint(panneau)));
+            assertEquals(geste.startsWith("clic"), !nue, geste);
         }
         faire("lâche Espace, +, achève");
         assertArrayEquals(codes, etat.getImageEntiere().codes);

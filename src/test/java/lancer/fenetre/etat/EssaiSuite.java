@@ -303,7 +303,8 @@ public abstract class EssaiSuite {
     /** Les codes de l'image que ces options donnent de cette scène, sans fenêtre. */
     protected int[] sansFenetre(String scene, String... autres) {
         Path png = dossier.resolve("image.png");
-        List<String> args = new ArrayList<>(Arrays.asList("--taille=" + etat.demande.largeur + "x" + etat.demande.hauteur, "--image=" + png));
+        List<String> args = new ArrayList<>(Arrays.asList("--image=" + png));
+        args.add("--taille=" + etat.demande.largeur + "x" + etat.demande.hauteur);
         args.addAll(Arrays.asList(autres));
         args.add(fichier("sans-fenetre.ini", scene).toString());
         assertEquals("", Essai.executer(args.toArray(new String[0])).erreur);

@@ -94,7 +94,8 @@ class FiguresTest {
                 image.getRGB((int) vue.place(cadre, oeil).getX() - 2, (int) vue.place(cadre, oeil).getY()), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
-            assertTrue(new Color(image.getRGB((int) vue.place(cadre, bord).getX(), (int) vue.place(cadre, bord).getY())).getRed() < BLANC, "l'écran");
+            int vu = image.getRGB((int) vue.place(cadre, bord).getX(), (int) vue.place(cadre, bord).getY());
+            assertTrue(new Color(vu).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
