@@ -27,7 +27,7 @@ final class BarreEtat extends JPanel implements Vue {
     /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
     private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
     /** Un long résumé, à ses réglages près. */
-    private static final String RESUME = "9999 × 9999 pixels montrés à 99 %, 99 999 999 rayons en 99,99 s, ";
+    private static final String RESUME = "9999 × 9999 pixels, 99 999 999 rayons en 99,99 s, ";
 
     private final Etat premier;
     private final Supplier<Pixel> souris;

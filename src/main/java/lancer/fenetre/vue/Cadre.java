@@ -41,8 +41,9 @@ public final class Cadre extends JFrame implements Vue {
         this.nom = nom;
         this.recevoir = recevoir;
         etat = premier;
-        image = new PanneauImage(premier, recevoir, this::montrerLaBarre);
+        image = new PanneauImage(premier, recevoir);
         barre = new BarreEtat(premier, image::getPixelSouris);
+        image.addPropertyChangeListener(PanneauImage.SOURIS, e -> barre.montrer(etat));
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
@@ -127,15 +128,11 @@ public final class Cadre extends JFrame implements Vue {
         image.montrer(nouveau);
         onglets.montrer(nouveau);
         commandes.montrer(nouveau);
-        montrerLaBarre();
+        barre.montrer(etat);
     }
 
     private void rafraichir() {
         image.repaint();
-        montrerLaBarre();
-    }
-
-    private void montrerLaBarre() {
         barre.montrer(etat);
     }
 }

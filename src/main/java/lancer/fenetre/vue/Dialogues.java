@@ -5,7 +5,6 @@ import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.Window;
-import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
@@ -121,7 +120,7 @@ final class Dialogues implements Dialogue {
     }
 
     private File choisir(JFileChooser choix, String titre, String fin) {
-        if (Stream.of(fenetre().getOwnedWindows()).anyMatch(autre -> autre instanceof Dialog && autre.isVisible())) {
+        if (Stream.of(Window.getWindows()).anyMatch(autre -> autre instanceof Dialog && autre.isVisible())) {
             // une touche répétée n'en ouvre pas un deuxième
             return null;
         }
@@ -144,24 +143,16 @@ final class Dialogues implements Dialogue {
         return reponse;
     }
 
-    private Window fenetre() {
-        return SwingUtilities.getWindowAncestor(image);
-    }
-
-    private Clipboard pressePapiers() {
-        return image.getToolkit().getSystemClipboard();
-    }
-
     @Override
     public void copier(String texte) {
-        pressePapiers().setContents(new StringSelection(texte), null);
+        image.getToolkit().getSystemClipboard().setContents(new StringSelection(texte), null);
     }
 
     @Override
     public void copier(ImageMemoire celle) {
         // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
         BufferedImage copie = PanneauImage.deJava(celle, celle.codes, false);
-        pressePapiers().setContents(new Transferable() {
+        image.getToolkit().getSystemClipboard().setContents(new Transferable() {
             @Override
             public DataFlavor[] getTransferDataFlavors() {
                 return new DataFlavor[] {DataFlavor.imageFlavor};
@@ -181,6 +172,6 @@ final class Dialogues implements Dialogue {
 
     @Override
     public void fermer() {
-        fenetre().dispose();
+        SwingUtilities.getWindowAncestor(image).dispose();
     }
 }

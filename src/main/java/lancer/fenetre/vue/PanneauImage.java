@@ -38,6 +38,9 @@ import lancer.image.ImageMemoire;
 @SuppressWarnings("serial")
 final class PanneauImage extends JPanel implements Vue {
 
+    /** La propriété qui change quand la souris bouge. */
+    static final String SOURIS = "souris";
+
     private static final Color GRIS = new Color(0x777777);
     /** Le plus grand écart, en points, entre le début et la fin d'un clic. */
     private static final int TREMBLEMENT = 4;
@@ -47,18 +50,15 @@ final class PanneauImage extends JPanel implements Vue {
 
     private final Bandeau bandeau;
     private final Consumer<Suite.Evenement> recevoir;
-    private final Runnable siBouge;
     private Etat etat;
     /** Ce que la souris a fait en dernier dans le panneau, {@code null} si elle en est sortie. */
     private MouseEvent souris;
     /** Où son bouton a été enfoncé. */
     private Point appui = new Point();
 
-    /** @param siBouge appelé quand la souris bouge */
-    PanneauImage(Etat etat, Consumer<Suite.Evenement> recevoir, Runnable siBouge) {
+    PanneauImage(Etat etat, Consumer<Suite.Evenement> recevoir) {
         this.etat = etat;
         this.recevoir = recevoir;
-        this.siBouge = siBouge;
         bandeau = new Bandeau(recevoir);
         setName("image");
         setBackground(GRIS);
@@ -76,11 +76,12 @@ final class PanneauImage extends JPanel implements Vue {
 
         private void placer(MouseEvent e) {
             boolean etoiles = montreLesEtoiles();
+            MouseEvent avant = souris;
             souris = e;
             if (etoiles != montreLesEtoiles()) {
                 repaint();
             }
-            siBouge.run();
+            firePropertyChange(SOURIS, avant, e);
         }
 
         @Override

@@ -46,6 +46,7 @@ public final class GraphiqueVitesse extends JPanel {
     /** Ce qui est tracé. Immuable. */
     private static final class Trace {
 
+        final Collection<Essai> tous;
         /** Les réglages dessinés, du plus rapide au plus lent. */
         final List<Essai> essais;
         final Reglages present;
@@ -54,6 +55,7 @@ public final class GraphiqueVitesse extends JPanel {
         final Axe erreurs;
 
         Trace(Collection<Essai> tous, Reglages present, Reglages vise) {
+            this.tous = tous;
             this.present = present;
             this.vise = vise;
             essais = tous.stream().filter(Essai::estFait)
@@ -105,8 +107,10 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** @param celui le réglage de l'image montrée @param entoure celui qui est entouré, ou {@code null} */
     public void montrer(Collection<Essai> tous, Reglages celui, Reglages entoure) {
-        trace = new Trace(tous, celui, entoure);
-        repaint();
+        if (tous != trace.tous || celui != trace.present || entoure != trace.vise) {
+            trace = new Trace(tous, celui, entoure);
+            repaint();
+        }
     }
 
     /** Le réglage sous ce point, ou {@code null}. */

@@ -31,7 +31,7 @@ import lancer.inspection.Segment;
 public final class VueDeCote extends JPanel {
 
     private static final int MARGE = 14;
-    private static final Color SPHERE = new Color(0x909090);
+    private static final Color SPHERE = new Color(0x949494);
 
     private Inspection pixel;
 
