@@ -72,6 +72,12 @@ class TheorieTest {
     }
 
     @Test
+    void laDirectionReflechieEstDeLongueurUnMemeSiLaNormaleNeLEstPas() {
+        Vecteur R = new Sphere(new Point(), 1).getReflexion(new Vecteur(0, 0, 1), new Vecteur(0.8, 0, -0.8));
+        assertEquals(1, R.norme(), 0x1p-52);
+    }
+
+    @Test
     void unCosinusDeLambertNeCompteJamaisPourPlusQueUn() {
         Random hasard = new Random(27);
         int plusGrands = 0;
