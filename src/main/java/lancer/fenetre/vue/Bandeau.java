@@ -59,11 +59,7 @@ final class Bandeau extends Etiquette implements Vue {
         setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE, 0, 0,
                 UIManager.getColor("Component." + (grave ? "error" : "warning") + ".focusedBorderColor")),
                 BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE)));
-        if (!lier(texte).equals(getText())) {
-            setText(texte);
-            setVisible(!texte.isEmpty());
-            revalidate();
-            getParent().repaint();
-        }
+        setText(texte);
+        setVisible(!texte.isEmpty());
     }
 }

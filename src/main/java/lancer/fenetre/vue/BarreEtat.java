@@ -89,19 +89,17 @@ final class BarreEtat extends JPanel implements Vue {
             montrerLaLegende(etat.getVisible().image);
         }
         Pixel ou = souris.get();
-        pastille.setOpaque(ou != null);
-        pastille.repaint();
-        if (ou == null) {
-            pixel.setText(" ");
-            return;
-        }
-        ImageMemoire image = etat.getVisible().image;
-        int k = ou.y * image.largeur + ou.x;
-        Color c = new Color(image.codes[k]);
+        ImageMemoire image = ou == null ? null : etat.getVisible().image;
+        int k = ou == null ? 0 : ou.y * image.largeur + ou.x;
+        // 0 sans pixel, ou s'il n'est pas encore dessiné
+        int code = ou == null ? 0 : image.codes[k];
+        Color c = new Color(code);
+        pastille.setOpaque(code != 0);
         pastille.setBackground(c);
-        pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
-                etat.estUnBrouillon() ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(),
-                c.getBlue(), etat.direLePixel(k)));
+        pastille.repaint();
+        pixel.setText(code == 0 ? " " : String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+                etat.estUnBrouillon() ? " (brouillon)" : "", code & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(),
+                etat.direLePixel(k)));
     }
 
     private void montrerLaLegende(ImageMemoire image) {

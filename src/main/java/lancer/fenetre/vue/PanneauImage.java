@@ -103,7 +103,7 @@ final class PanneauImage extends JPanel implements Vue {
             if (SwingUtilities.isLeftMouseButton(e) && etat.geste != null) {
                 recevoir.accept(Suite::lacher);
             } else if (SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
-                    && !e.isShiftDown() && e.getClickCount() <= 1 && estSousLaSouris()) {
+                    && !e.isShiftDown() && e.getClickCount() <= 1 && getPixelSouris() != null) {
                 // le premier clic a pu réduire l'image : le second désignerait un autre pixel
                 expliquer();
             }
@@ -174,34 +174,28 @@ final class PanneauImage extends JPanel implements Vue {
         return getLoupe().pointDe(getImage(), enPixels(e.getX()), enPixels(e.getY()));
     }
 
-    private boolean estSousLaSouris() {
-        return getImage() != null && souris != null
-                && getLoupe().contient(getImage(), enPixels(souris.getX()), enPixels(souris.getY()));
-    }
-
     private boolean montreLesEtoiles() {
         return souris != null && souris.isShiftDown();
     }
 
-    /** Le pixel de l'image sous la souris ou, à défaut, au milieu. */
-    private Pixel getPixelVise() {
-        Loupe loupe = getLoupe();
-        return estSousLaSouris() ? loupe.pixelDe(getImage(), enPixels(souris.getX()), enPixels(souris.getY()))
-                : loupe.pixelDe(getImage(), loupe.largeur / 2.0, loupe.hauteur / 2.0);
+    /** Le pixel de l'image sous la souris ; {@code null} s'il n'y en a pas. */
+    Pixel getPixelSouris() {
+        if (getImage() == null || souris == null) {
+            return null;
+        }
+        double x = enPixels(souris.getX());
+        double y = enPixels(souris.getY());
+        return getLoupe().contient(getImage(), x, y) ? getLoupe().pixelDe(getImage(), x, y) : null;
     }
 
-    /** Montre les rayons du pixel visé. */
+    /** Montre les rayons du pixel sous la souris ou, à défaut, au milieu. */
     void expliquer() {
         if (getImage() != null) {
-            Pixel vise = getPixelVise();
+            Loupe loupe = getLoupe();
+            Pixel milieu = loupe.pixelDe(getImage(), loupe.largeur / 2.0, loupe.hauteur / 2.0);
+            Pixel vise = getPixelSouris() == null ? milieu : getPixelSouris();
             recevoir.accept(suite -> suite.expliquer(vise));
         }
-    }
-
-    /** Le pixel de l'image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
-    Pixel getPixelSouris() {
-        Pixel pixel = estSousLaSouris() ? getPixelVise() : null;
-        return pixel == null || getImage().codes[pixel.y * getImage().largeur + pixel.x] == 0 ? null : pixel;
     }
 
     /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
