@@ -40,8 +40,13 @@ abstract class Tache extends SwingWorker<Evenement, Void> {
         });
     }
 
+    /** Java dit les fins par paquets, parfois avant ce que {@link #dire} a dit : la fin se met derrière. */
     @Override
     protected void done() {
+        EventQueue.invokeLater(this::finir);
+    }
+
+    private void finir() {
         try {
             repondre(get());
         } catch (ExecutionException e) {
