@@ -181,33 +181,23 @@ public class Tests extends Valeurs {
         return !pres(NOIR, vue(seule, devant())) && !eclaireSansElle(seule, lampe, devant());
     }
 
-    /** Une boule loin de tout, qui retient les rayons à qui l'on demande s'ils la rencontrent. */
-    private static final class Temoin extends Sphere {
-
-        private final List<Rayon> rayons = new ArrayList<>();
-
-        Temoin(Point centre) {
-            super(centre, 1);
-        }
-
-        @Override
-        public double getIntersectionDistance(Rayon incident) {
-            rayons.add(incident);
-            return super.getIntersectionDistance(incident);
-        }
-    }
-
-    /** Les rayons que lance getColor, là où celui-ci rencontre cette boule. */
+    /** Les rayons que lance getColor, là où celui-ci rencontre cette boule : une autre, loin de tout, les retient. */
     private List<Rayon> lances(List<Lampe> lampes, Rayon rayon, int profondeur, Sphere boule) {
+        List<Rayon> lances = new ArrayList<>();
         double[] loin = lieu(-60, 0, 20);
-        Temoin temoin = new Temoin(new Point(loin[0], loin[1], loin[2]));
-        Scene scene = new Scene(Arrays.asList(boule, temoin), lampes);
+        Scene scene = new Scene(Arrays.asList(boule, new Sphere(new Point(loin[0], loin[1], loin[2]), 1) {
+            @Override
+            public double getIntersectionDistance(Rayon incident) {
+                lances.add(incident);
+                return super.getIntersectionDistance(incident);
+            }
+        }), lampes);
         PointContact contact = scene.getClosestIntersection(rayon, null);
-        temoin.rayons.clear();
+        lances.clear();
         if (contact != null) {
             objet(contact).getColor(scene, rayon, contact, profondeur);
         }
-        return temoin.rayons;
+        return lances;
     }
 
     private static String vers(Rayon rayon) {
@@ -948,7 +938,8 @@ public class Tests extends Valeurs {
 
         /** Un signe faux met le reflet là où la lumière est rasante. */
         private boolean refletAilleurs() {
-            return refletRasant(1) || refletRasant(-1);
+            return Stream.of(-0.995, 0.995).anyMatch(x -> !pres(NOIR, eclat(c -> !pres(NOIR, c),
+                    Collections.singletonList(lampe(x, 0, 4 - sinus(0.995))), rayon(-sv, 0, 4 - cv, sv, 0, cv), gris, 1)));
         }
 
         /** Dit si Ks ou ns changent quoi que ce soit d'une boule éclairée. */
@@ -960,11 +951,6 @@ public class Tests extends Valeurs {
                 return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
                         .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), r)));
             });
-        }
-
-        private boolean refletRasant(int cote) {
-            return !pres(NOIR, eclat(c -> !pres(NOIR, c), Collections.singletonList(lampe(0.995 * cote, 0, 4 - sinus(0.995))),
-                    rayon(-sv, 0, 4 - cv, sv, 0, cv), gris, 1));
         }
 
         @Test @Order(1) @DisplayName("face à la lampe et à l'œil : Ks")

@@ -138,7 +138,11 @@ public final class Defauts {
         Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0);
         noter("sphère jumelle gardée", scene(A_L_OEIL, boule, jumelle), 0, new TraceurPlat(List.of(boule, jumelle), List.of(A_L_OEIL), cote,
                 cote, 0), juste);
-        soleil();
+        // une lampe à un milliard : ses rayons sont parallèles
+        double[] soleil = unite(new double[] {-1, 2, -3});
+        Sphere lune = boule(0, 0, 5, 1, 0.75, 0);
+        noter("b² − 4ac, lampe à 10⁹", new Lampe(new Point(1e9 * soleil[0], 1e9 * soleil[1], 1e9 * soleil[2]), new Couleur(1)),
+                Ombre.PREMIER_VU, 0, vue(lune, false, (V, N) -> gris(0.75 * Math.max(0, dot(N, soleil)))), lune);
         // le ciel change d'un coup à l'horizon
         Sphere miroir = boule(0, 0, 5, 1.5, 0, 0.5);
         noter("un miroir se réfléchit lui-même", new Scene(List.of(miroir), List.of()), 1,
@@ -146,15 +150,30 @@ public final class Defauts {
                     double[] R = plus(V, -2 * dot(N, V), N);
                     return Math.abs(R[1]) < 1e-9 ? null : fois(gris(0.5), TraceurPlat.ciel(R));
                 }));
-        dedans();
+        // l'œil dans une sphère, une lampe au-dehors : on voit la paroi par où sort le regard
+        Sphere paroi = boule(0, 0, 0, 9, 1, 0);
+        double[] dehors = {0, 0, 20};
+        noter("première racine seule, vue du dedans", scene(new Lampe(new Point(0, 0, 20), new Couleur(1)), paroi), 0,
+                (xe, ye) -> TraceurPlat.couleur(TraceurPlat.ciel(regard(xe, ye))),
+                vue(paroi, true, (V, N) -> gris(Math.max(0, dot(N, unite(moins(dehors, fois(gris(9), N))))))));
         // un poli nul et une lampe derrière : (R·L)⁰ = 1 partout, mais la face que l'on voit ne reçoit rien
         Sphere mate = boule(0, 0, 5, 1.5, 0, 0.5);
         mate.setNs(0);
         noter("ns = 0 sans regarder N·L", scene(new Lampe(new Point(0, 0, 50), new Couleur(1)), mate), 0,
                 vue(mate, false, (V, N) -> gris(0.5)), vue(mate, false, (V, N) -> gris(0)));
         noter("pixels vus en leur coin", scene(A_L_OEIL, boule), 0, (xe, ye) -> juste.couleur(xe - 0.5, ye - 0.5), juste);
-        limites();
-        lampePosee();
+        // une lampe dix fois trop forte, neuf points par pixel : limiter chacun, ou leur moyenne
+        Sphere vive = boule(0, 0, 6, 1.5, 1, 0);
+        Vue points = vue(vive, false, (V, N) -> gris(-10 * dot(N, V)));
+        Scene forte = scene(new Lampe(Camera.OEIL, new Couleur(10)), vive);
+        noter("limiter avant de moyenner", forte.avec(forte.getModele().avec(NEUF_POINTS, 0)), 0,
+                (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
+        // la lampe est là où le pixel du milieu voit la boule : L = 0/0 ; ailleurs, la boule lui tourne le dos
+        cote++;
+        Sphere touchee = boule(0, 0, 5, 1, 1, 0);
+        double[] posee = {0, 0, -1};
+        noter("lampe posée sur une boule : 0/0", scene(new Lampe(new Point(0, 0, 4), new Couleur(1)), touchee), 0,
+                vue(touchee, false, (V, N) -> gris(Math.max(0, dot(N, unite(moins(posee, N)))))), vue(touchee, false, (V, N) -> gris(0)));
         return defauts;
     }
 
@@ -189,32 +208,6 @@ public final class Defauts {
         return vue(boule, false, (V, N) -> fois(t(boule.getKd()), gris(-dot(N, V))));
     }
 
-    /** Une lampe à un milliard : ses rayons sont parallèles. */
-    private void soleil() {
-        double[] soleil = unite(new double[] {-1, 2, -3});
-        Sphere boule = boule(0, 0, 5, 1, 0.75, 0);
-        noter("b² − 4ac, lampe à 10⁹", new Lampe(new Point(1e9 * soleil[0], 1e9 * soleil[1], 1e9 * soleil[2]), new Couleur(1)),
-                Ombre.PREMIER_VU, 0, vue(boule, false, (V, N) -> gris(0.75 * Math.max(0, dot(N, soleil)))), boule);
-    }
-
-    /** L'œil dans une sphère, une lampe au-dehors : on voit la paroi par où sort le regard. */
-    private void dedans() {
-        Sphere boule = boule(0, 0, 0, 9, 1, 0);
-        double[] lampe = {0, 0, 20};
-        noter("première racine seule, vue du dedans", scene(new Lampe(new Point(0, 0, 20), new Couleur(1)), boule), 0,
-                (xe, ye) -> TraceurPlat.couleur(TraceurPlat.ciel(regard(xe, ye))),
-                vue(boule, true, (V, N) -> gris(Math.max(0, dot(N, unite(moins(lampe, fois(gris(9), N))))))));
-    }
-
-    /** Une lampe dix fois trop forte, neuf points par pixel : limiter chacun, ou leur moyenne. */
-    private void limites() {
-        Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
-        Vue points = vue(boule, false, (V, N) -> gris(-10 * dot(N, V)));
-        Scene scene = scene(new Lampe(Camera.OEIL, new Couleur(10)), boule);
-        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(NEUF_POINTS, 0)), 0,
-                (xe, ye) -> moyenne(points, xe, ye, 1), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
-    }
-
     private static Couleur moyenne(Vue vue, double xe, double ye, double limite) {
         Couleur somme = new Couleur();
         for (int k = 0; k < 9; k++) {
@@ -222,15 +215,6 @@ public final class Defauts {
             somme = somme.add(new Couleur(Math.min(limite, c.r), Math.min(limite, c.v), Math.min(limite, c.b)));
         }
         return somme.div(9);
-    }
-
-    /** La lampe est là où le pixel du milieu voit la boule : L = 0/0. Ailleurs, la boule lui tourne le dos. */
-    private void lampePosee() {
-        cote++;
-        Sphere boule = boule(0, 0, 5, 1, 1, 0);
-        double[] lampe = {0, 0, -1};
-        noter("lampe posée sur une boule : 0/0", scene(new Lampe(new Point(0, 0, 4), new Couleur(1)), boule), 0,
-                vue(boule, false, (V, N) -> gris(Math.max(0, dot(N, unite(moins(lampe, N)))))), vue(boule, false, (V, N) -> gris(0)));
     }
 
     private void noter(String nom, Lampe lampe, Ombre ombre, double epsilon, Vue juste, Sphere... boules) {

@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -24,6 +24,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Exact;
+import lancer.essai.Ressources;
 import lancer.rapide.Structuree;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -131,8 +132,7 @@ class OmbresTest {
     }
 
     private Point auLoin(double loin) {
-        Vecteur d = direction(hasard);
-        return new Point(loin * d.x, loin * d.y, loin * d.z);
+        return new Point().add(loin, direction(hasard));
     }
 
     @ParameterizedTest
@@ -159,8 +159,8 @@ class OmbresTest {
     @Test
     void dansLesScenesLivreesChaqueLampeEstProcheDeChaqueContact() {
         Camera camera = new Camera(40, 30);
-        for (File fichier : new File("scenes").listFiles((dossier, nom) -> nom.endsWith(".ini"))) {
-            Scene scene = new Scene(fichier.getPath());
+        for (Path fichier : Ressources.scenes(Path.of("scenes"))) {
+            Scene scene = new Scene(fichier.toString());
             for (int k = 0; k < 40 * 30; k++) {
                 PointContact contact = scene.getClosestIntersection(camera.getRayon(k % 40 + 0.5, k / 40 + 0.5));
                 assertTrue(contact == null || scene.getLampes().stream().noneMatch(lampe -> Scene.estLointaine(lampe, contact)),

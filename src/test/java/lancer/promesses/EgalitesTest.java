@@ -61,12 +61,6 @@ class EgalitesTest {
         }
     }
 
-    /** Un sol de ce rayon, une boule posée devant lui, et une lampe qui le rase. */
-    private static Scene rasee(double rayon) {
-        return scene(List.of(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5), boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)),
-                new Lampe(new Point(-6, -0.999999, 12), new Couleur(1)));
-    }
-
     /** Rien dans le programme n'a d'unité de longueur : ni seuil de distance, ni décalage, ni case plus petite que tout. */
     @Test
     void grossirToutLeMondeParUnePuissanceDeDeuxNeChangePasUnBit() {
@@ -75,7 +69,8 @@ class EgalitesTest {
             scenes.put(nom, new Scene(Ressources.chemin("reference/" + nom + ".ini")));
         }
         for (double rayon : new double[] {5e3, 3e7, 9.9e7, 4e11}) {
-            scenes.put("lampe qui rase un sol de rayon " + rayon, rasee(rayon));
+            scenes.put("lampe qui rase un sol de rayon " + rayon, scene(List.of(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5),
+                    boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)), new Lampe(new Point(-6, -0.999999, 12), new Couleur(1))));
         }
         scenes.put("trois géantes", scene(List.of(boule(0, -9e7 - 1, 8, 9e7, 0.8, 0.3, 5), boule(-3e7 - 3, 0, 9, 3e7, 0.6, 0.5, 9),
                 boule(0, 0, 6e7 + 20, 6e7, 0.7, 0.2, 3)), new Lampe(new Point(1, 2, 3), new Couleur(1))));

@@ -67,14 +67,21 @@ class RegardTest {
         }
     }
 
+    private static List<Objet3D> foule(int taille) {
+        return new ArrayList<>(ScenesDEssai.foule(3, taille, 0).scene().getObjets());
+    }
+
+    private static Scene eclairee(List<Objet3D> objets) {
+        return new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+    }
+
     /** Une sphère la cache peut-être : le regard la demande tout de même. */
     @ParameterizedTest
     @ValueSource(strings = {"NaN", "exception", "normale"})
     void uneFormeQuiEchoueEstNommee(String faute) {
-        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+        List<Objet3D> objets = foule(60);
         objets.set(30, new Fautive((Sphere) objets.get(30), faute));
-        Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
-        String dit = Regard.regarder(Structuree.scene(scene, CAMERA), CAMERA);
+        String dit = Regard.regarder(Structuree.scene(eclairee(objets), CAMERA), CAMERA);
         assertTrue(dit.contains(Fautive.class.getName()), dit);
     }
 
@@ -98,22 +105,20 @@ class RegardTest {
     @Test
     void unObjetPlusGrandQueSonEnveloppeEstVu() {
         for (double part : new double[] {0.5, 0.9}) {
-            List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+            List<Objet3D> objets = foule(60);
             objets.replaceAll(objet -> new Debordante((Sphere) objet, part));
-            Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
-            assertTrue(trouve(scene), part + " du rayon");
+            assertTrue(trouve(eclairee(objets)), part + " du rayon");
         }
     }
 
     /** Trois objets faux parmi mille : ceux de chaque classe ont autant de rayons. */
     @Test
     void uneSeuleClasseFausseParmiMilleSpheresEstVueAussi() {
-        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 1000, 0).scene().getObjets());
+        List<Objet3D> objets = foule(1000);
         for (int k = 0; k < 3; k++) {
             objets.set(300 * k, new Debordante((Sphere) objets.get(300 * k), 0.7));
         }
-        Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
-        assertTrue(trouve(scene));
+        assertTrue(trouve(eclairee(objets)));
     }
 
     /** Le départ du rayon décide : ceux de l'image partent de l'écran, pas de l'œil. */
@@ -133,6 +138,6 @@ class RegardTest {
                 return d;
             }
         });
-        assertTrue(trouve(new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes())));
+        assertTrue(trouve(eclairee(objets)));
     }
 }

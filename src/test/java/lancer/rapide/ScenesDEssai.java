@@ -116,8 +116,9 @@ final class ScenesDEssai {
         scenes.put("places exponentielles", new ScenesDEssai(57).placesExponentielles(taille).deuxLampes().scene());
         scenes.put("une énorme et des minuscules", new ScenesDEssai(58).sphere(0, 0, 30, 20).foule(taille, 3, 1e-4, 1e-3).deuxLampes()
                 .scene());
-        scenes.put("neuf étoiles", new ScenesDEssai(59).foule(taille, 2, 0.01, 0.05).etoiles(9, 1e12).deuxLampes().scene());
-        scenes.put("cent étoiles", new ScenesDEssai(60).foule(taille, 2, 0.01, 0.05).etoiles(100, 1e15).deuxLampes().scene());
+        scenes.put("neuf étoiles", new ScenesDEssai(59).foule(taille, 2, 0.01, 0.05).gaussienne(9, 0, 0, 0, 1e12, 1).deuxLampes().scene());
+        scenes.put("cent étoiles", new ScenesDEssai(60).foule(taille, 2, 0.01, 0.05).gaussienne(100, 0, 0, 0, 1e15, 1).deuxLampes()
+                .scene());
         scenes.put("ciel miroir", new ScenesDEssai(61).foule(taille, 2, 0.01, 0.05).sphere(0, 0, 0, 1e5).deuxLampes().scene());
         scenes.put("lampes lointaines", new ScenesDEssai(62).foule(taille, 2, 0.01, 0.05).lampe(1e12, 1e12, -1e12).lampe(0, 1e8, 0)
                 .lampe(1e16, 1e3, 2).scene());
@@ -260,13 +261,6 @@ final class ScenesDEssai {
         for (int k = 0; k < n; k++) {
             double d = Math.pow(2, 60.0 * k / n - 20);
             sphere(d * entre(-0.2, 0.2), d * entre(-0.2, 0.2), d, 0.05 * d);
-        }
-        return this;
-    }
-
-    private ScenesDEssai etoiles(int n, double loin) {
-        for (int k = 0; k < n; k++) {
-            sphere(loin * hasard.nextGaussian(), loin * hasard.nextGaussian(), loin * hasard.nextGaussian(), 1);
         }
         return this;
     }

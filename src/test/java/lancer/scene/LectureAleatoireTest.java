@@ -35,10 +35,6 @@ class LectureAleatoireTest {
 
     private static final int ESSAIS = 10_000;
 
-    /** Octets qu'une lecture peut demander à la mémoire, tampon de lecture et recherche des variantes compris. */
-    private static final long MEMOIRE_FIXE = 1 << 20;
-    private static final long MEMOIRE_PAR_OCTET = 400;
-
     /** fichier[, ligne N][, [section]][, clé] : faute ; attendu : quoi. */
     private static final Pattern MESSAGE = Pattern.compile("(?:, ligne ([0-9]+))?((?:, \\[.*\\])?(?:, .*)?) : (.+) ; attendu : (.+)");
 
@@ -75,8 +71,7 @@ class LectureAleatoireTest {
             } catch (RuntimeException | Error e) {
                 throw new AssertionError(cas + " : " + e, e);
             }
-            long memoire = Memoire.demandee() - avant;
-            assertTrue(memoire <= MEMOIRE_FIXE + MEMOIRE_PAR_OCTET * octets.length, cas + " : " + memoire + " octets de mémoire");
+            Memoire.verifier(avant, octets.length, cas);
         }
         // sans quoi ces essais ne diraient rien
         assertTrue(acceptes > ESSAIS / 20, acceptes + " scènes acceptées seulement");

@@ -33,11 +33,6 @@ class LectureDemesureeTest {
 
     private static final String DEBUT = "[Sphere 1]\ncentre=0 0 6\n";
 
-    /**
-     * Octets demandés à la mémoire par octet lu, rendus ou non : un caractère nul en devient six, passés plusieurs fois de main en main.
-     */
-    private static final long MEMOIRE_PAR_OCTET = 400;
-
     @TempDir
     Path dossier;
 
@@ -57,8 +52,7 @@ class LectureDemesureeTest {
         try {
             return new Scene(fichier.toString());
         } finally {
-            long memoire = Memoire.demandee() - avant;
-            assertTrue(memoire <= (1 << 20) + MEMOIRE_PAR_OCTET * Files.size(fichier), memoire + " octets de mémoire");
+            Memoire.verifier(avant, Files.size(fichier), "lecture");
         }
     }
 

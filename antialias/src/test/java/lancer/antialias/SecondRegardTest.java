@@ -34,27 +34,16 @@ class SecondRegardTest {
     private static final int H = 96;
     private static final int PROFONDEUR = 5;
 
-    /** Une boule d'un tiers de pixel dans le noir en chacun de ces points de l'écran. */
-    private static Scene dansLeNoir(double[]... points) {
+    /** Douze boules d'un tiers de pixel dans le noir, une par pavé, une sur deux entre les points que l'on regarde d'abord. */
+    private static Lancer lancer() {
         List<Objet3D> objets = new ArrayList<>(List.of(new Sphere(new Point(0, 0, 0), 1000)));
-        for (double[] p : points) {
-            Point ecran = new Camera(L, H).getEcran(p[0], p[1]);
-            objets.add(Ressources.boule(ecran.x, ecran.y, 0.01, 0.35 * Constantes.ECHELLE / L, 1, 0, 1));
-        }
-        return new Scene(objets, List.of(new Lampe(new Point(-4, 6, -3), new Couleur(3))));
-    }
-
-    /** Une boule au milieu de chacun des douze pavés, une sur deux entre les points que l'on regarde d'abord. */
-    private static Scene isolees() {
-        double[][] points = new double[12][];
         for (int k = 0; k < 12; k++) {
             double decale = k % 2 == 0 ? 0.1 : 0.55;
-            points[k] = new double[] {Pave.COTE * (k % 4) + 16 + decale, Pave.COTE * (k / 4) + 17 - 0.5 * (k % 2) + decale};
+            Point ecran = new Camera(L, H).getEcran(Pave.COTE * (k % 4) + 16 + decale,
+                    Pave.COTE * (k / 4) + 17 - 0.5 * (k % 2) + decale);
+            objets.add(Ressources.boule(ecran.x, ecran.y, 0.01, 0.35 * Constantes.ECHELLE / L, 1, 0, 1));
         }
-        return dansLeNoir(points);
-    }
-
-    private static Lancer lancer(Scene scene) {
+        Scene scene = new Scene(objets, List.of(new Lampe(new Point(-4, 6, -3), new Couleur(3))));
         return Dessin.lancer(scene.avec(scene.getModele().avec(Antialias.partage(12, 0.045), Constantes.SEUIL)), L, H, false);
     }
 
@@ -70,7 +59,7 @@ class SecondRegardTest {
 
     @Test
     void ceQuUnPaveADeSeulFaitChercherDansCeuxOuRienNASurpris() {
-        Lancer lancer = lancer(isolees());
+        Lancer lancer = lancer();
         Couleur[] image = dessiner(lancer, 2);
         assertTrue(lancer.getAtelier().seRegardeDeuxFois());
         for (int k = 0; k < 12; k++) {
@@ -100,12 +89,12 @@ class SecondRegardTest {
 
     @Test
     void niLImageNiLesComptesNeDependentDesFilsEtUnPixelEstCompteUneFois() {
-        Lancer un = lancer(isolees());
+        Lancer un = lancer();
         Couleur[] image = dessiner(un, 1);
         Compteurs comptes = un.getAtelier().getCompteurs();
         assertEquals(L * H - 12, comptes.pixelsRaffines, 12, "tous les pavés sont cherchés");
         for (int fils : new int[] {2, 7}) {
-            Lancer plusieurs = lancer(isolees());
+            Lancer plusieurs = lancer();
             assertEquals(List.of(image), List.of(dessiner(plusieurs, fils)));
             assertEquals(comptes.rayons(), plusieurs.getAtelier().getCompteurs().rayons());
             assertEquals(comptes.pixelsRaffines, plusieurs.getAtelier().getCompteurs().pixelsRaffines);
@@ -114,7 +103,7 @@ class SecondRegardTest {
 
     @Test
     void lePixelExpliqueALaCouleurDeLImageQuiRetientCeQuElleAVu() {
-        Lancer lancer = lancer(isolees());
+        Lancer lancer = lancer();
         Couleur[] image = dessiner(lancer, 2);
         for (int p = 16 * L + 15; p < image.length; p += 8 * L + 3) {
             Inspection pixel = new Inspection(lancer.getScene(), chose -> null, lancer.getCamera(), PROFONDEUR, p % L, p / L);
@@ -132,11 +121,11 @@ class SecondRegardTest {
 
     @Test
     void laVueDesRayonsCompteCeuxDesDeuxRegards() {
-        Lancer lancer = lancer(isolees());
+        Lancer lancer = lancer();
         dessiner(lancer, 2);
         long rayons = lancer.getAtelier().getCompteurs().rayons();
         ImageMemoire vue = new ImageMemoire(L, H, true);
-        new FaussesCouleurs(lancer(isolees()), vue, PROFONDEUR, 2).dessiner("rayons");
+        new FaussesCouleurs(lancer(), vue, PROFONDEUR, 2).dessiner("rayons");
         double somme = 0;
         for (int k = 0; k < vue.lineaire.length; k += 3) {
             somme += vue.lineaire[k];
@@ -146,7 +135,7 @@ class SecondRegardTest {
 
     @Test
     void lAvancementNeRecommencePasEtFinitAvecLeSecondRegard() {
-        Lancer lancer = lancer(isolees());
+        Lancer lancer = lancer();
         List<Double> suite = new ArrayList<>();
         lancer.TracerImage((couleur, i, j) -> suite.add(lancer.getAtelier().getAvancement()), PROFONDEUR, 1);
         assertTrue(suite.size() > L * H, "des pavés sont dessinés deux fois");

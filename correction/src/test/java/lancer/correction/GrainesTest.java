@@ -38,10 +38,6 @@ class GrainesTest {
     @TempDir
     static Path dossier;
 
-    private static Programme corrige() {
-        return new Programme(dossier);
-    }
-
     /** Des graines, autant qu'il le faut ici ou, si l'on demande les tests longs, cent. */
     private static long[] graines(int combien) {
         return LongStream.rangeClosed(1, Boolean.getBoolean("tests.longs") ? 100 : combien).toArray();
@@ -49,15 +45,15 @@ class GrainesTest {
 
     @Test
     void leCorrigePasseToutQuelleQueSoitLaGraine() {
-        Map<Long, Map<String, String>> rates = corrige().rates(graines(6));
+        Map<Long, Map<String, String>> rates = new Programme(dossier).rates(graines(6));
         rates.values().removeIf(Map::isEmpty);
         assertEquals(Map.of(), rates);
-        assertEquals(Map.of(), corrige().rates(0));
+        assertEquals(Map.of(), new Programme(dossier).rates(0));
     }
 
     /** Le corrigé, chaque nombre arrondi à un {@code float}. */
     private static Programme enFloat() {
-        Programme programme = corrige();
+        Programme programme = new Programme(dossier);
         for (String champ : List.of("x", "y", "z")) {
             programme.changer("Tuple", "this." + champ + " = ", "this." + champ + " = (float) ");
         }
@@ -90,7 +86,7 @@ class GrainesTest {
             attendus.add("Objet3D.uneBouleNeSeRefletePasElleMeme");
         }
         for (boolean arrondi : new boolean[] {false, true}) {
-            Map<Long, Map<String, String>> tous = (arrondi ? enFloat() : corrige())
+            Map<Long, Map<String, String>> tous = (arrondi ? enFloat() : new Programme(dossier))
                     .changer("Objet3D", "new Rayon(lampe.getPosition(), contact)", rayon)
                     .changer("Objet3D", "(rayon, (Sphere) this)", "(rayon, (Sphere) " + ombre + ")")
                     .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")").rates(graines(3));
@@ -105,8 +101,8 @@ class GrainesTest {
     @ParameterizedTest
     @ValueSource(strings = {"Lancer", "Camera"})
     void viserUnDemiPixelPlusLoinNEstPasUneFauteDePlusQueSansGraine(String classe) {
-        Programme decale = classe.equals("Lancer") ? corrige().changer("Lancer", "(xe, ye)", "(xe + 0.5, ye + 0.5)")
-                : corrige().changer("Camera", "(xe - ", "(xe + 0.5 - ").changer("Camera", "2.0 - ye)", "2.0 - ye - 0.5)");
+        Programme decale = classe.equals("Lancer") ? new Programme(dossier).changer("Lancer", "(xe, ye)", "(xe + 0.5, ye + 0.5)")
+                : new Programme(dossier).changer("Camera", "(xe - ", "(xe + 0.5 - ").changer("Camera", "2.0 - ye)", "2.0 - ye - 0.5)");
         Set<String> sans = decale.rates(0).keySet();
         assertEquals(classe.equals("Lancer") ? Set.of() : Set.of("Camera.leCoinEnHautAGaucheEstAMoinsUn"), sans);
         decale.rates(graines(3)).forEach((graine, rates) -> assertEquals(sans, rates.keySet(), "graine " + graine));
@@ -114,7 +110,7 @@ class GrainesTest {
 
     @Test
     void leProjetACompleterNeReussitRienDePlusAvecUneGraine() {
-        Programme squelette = corrige();
+        Programme squelette = new Programme(dossier);
         SourcesDuCours.A_COMPLETER.forEach(classe -> squelette.ecrire(classe, SourcesDuCours.squelette(classe)));
         assertEquals(squelette.rates(0).keySet(), squelette.rates(7).keySet());
     }
@@ -128,7 +124,7 @@ class GrainesTest {
 
     @Test
     void recopierLesReponsesAuxValeursPubliquesNeRapporteRien() throws IOException {
-        Programme copie = corrige().ecrire("Table", Files.readString(ClasseEssai.RENDUS.resolve("table.txt")));
+        Programme copie = new Programme(dossier).ecrire("Table", Files.readString(ClasseEssai.RENDUS.resolve("table.txt")));
         reciter(copie, "Sphere", "public double getIntersectionDistance(Rayon incident)", "distance(this, incident");
         reciter(copie, "Camera", "public Rayon getRayon(double xe, double ye)", "rayon(xe, ye, largeur, hauteur");
         reciter(copie, "Objet3D", "public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur)",

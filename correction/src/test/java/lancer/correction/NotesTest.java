@@ -211,11 +211,6 @@ class NotesTest extends ClasseEssai {
         contient(index(dossier), "notes-a-deposer.csv a été changé");
     }
 
-    /** Change l'un des résultats, tel que make noter le relit. */
-    private void changer(String id, String avant, String apres) throws IOException {
-        changer(resultat(id), avant, apres);
-    }
-
     private String empreinte(String id) throws IOException {
         return Files.readString(resultat(id)).replaceFirst("(?s).*(\"empreinte\":\"[^\"]*).*", "$1");
     }
@@ -233,7 +228,7 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void quiNARienRenduEstNommeEtUnGroupeAussi() throws IOException {
-        changer("7002", empreinte("7002"), empreinte("7001"));
+        changer(resultat("7002"), empreinte("7002"), empreinte("7001"));
         contient(renoter("--notes", feuille(TITRES + "Participant 7001,x,,20.00,-,\nParticipant 7003,Zoé Roux,,20.00,-,\n")).erreur,
                 "dans la feuille, et sans rendu ici (1) : Zoé Roux\n",
                 "un même rendu pour 2 identifiants : Ólafur Þór (7001), Zoé N’Guyen (7002)\n");
@@ -241,8 +236,8 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void desClassesEcritesPareilSontDitesADeuxEtudiants() throws IOException {
-        changer("7001", "\"formes\":{", "\"formes\":{\"Sphere.f\":\"s\",\"Scene.g\":\"a\"");
-        changer("7002", "\"formes\":{", "\"formes\":{\"Sphere.autre\":\"s\",\"Scene.g\":\"b\"");
+        changer(resultat("7001"), "\"formes\":{", "\"formes\":{\"Sphere.f\":\"s\",\"Scene.g\":\"a\"");
+        changer(resultat("7002"), "\"formes\":{", "\"formes\":{\"Sphere.autre\":\"s\",\"Scene.g\":\"b\"");
         renoter();
         contient(classe(dossier).get("7001").get("à regarder"),
                 "écrit comme chez Zoé N’Guyen (7002), aux noms et aux commentaires près : Sphere.f");

@@ -132,11 +132,7 @@ final class Programme {
 
     /** Les valeurs des vérifications : tirées de cette graine ou, pour 0, celles de l'énoncé. */
     private static void tirer(long graine) {
-        if (graine == 0) {
-            System.clearProperty(GRAINE);
-        } else {
-            System.setProperty(GRAINE, String.valueOf(graine));
-        }
+        System.setProperty(GRAINE, graine == 0 ? "" : String.valueOf(graine));
     }
 
     /**

@@ -31,9 +31,11 @@ class HostilesTest extends JuryEssai {
 
     @TempDir
     Path dossier;
+    @TempDir
+    Path rendus;
 
     /** Ceux de {@code hostiles.txt} qui ont ces noms ; deux d'entre eux ont aussi une classe qui cacherait la nôtre. */
-    private static void ecrireHostiles(Path rendus, Predicate<String> lesquels) throws IOException {
+    private void ecrireHostiles(Predicate<String> lesquels) throws IOException {
         for (String[] parts : blocs("hostiles.txt")) {
             if (lesquels.test(parts[0])) {
                 Path sources = attaque(rendus.resolve(parts[0]), parts[1]);
@@ -53,8 +55,7 @@ class HostilesTest extends JuryEssai {
     void confineUnRenduSansFinOuQuiSArreteOuQuiTricheNEmpechePasDeNoterUnAutre() throws IOException {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        ecrireHostiles(rendus, List.of("boucle", "sortie", "falsification")::contains);
+        ecrireHostiles(List.of("boucle", "sortie", "falsification")::contains);
         ecrireCorrige(rendus.resolve("ordinaire"));
         Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
@@ -69,10 +70,9 @@ class HostilesTest extends JuryEssai {
         assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrire(ecrireCorrige(rendus.resolve("tout-noir")), "Couleur", SourcesDuCours.corrige("Couleur")
                 .replaceAll("this\\.([rvb]) = \\1;", "this.$1 = 0;"));
-        ecrireHostiles(rendus, nom -> true);
+        ecrireHostiles(nom -> true);
         attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
                 + "catch (InterruptedException e) { } }).start();");
         attaque(rendus.resolve("message"), "throw new RuntimeException() { public String getMessage() { while (true) { } } };");
@@ -153,7 +153,7 @@ class HostilesTest extends JuryEssai {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         Map<String, Resultat> attendus = juger(temoins(dossier.resolve("seuls")), confinement, PATIENTES);
-        Path rendus = temoins(dossier.resolve("rendus"));
+        temoins(rendus);
         // sans rien qu'un nom de paquet n'ait : ce serait bien un chemin, à son point près
         Path evade = Files.createTempDirectory("evade").resolve("x");
         ecrire(ecrireCorrige(rendus.resolve("paquet")), "Evade", "package " + evade.toString().replace('/', '.')
@@ -165,7 +165,7 @@ class HostilesTest extends JuryEssai {
         ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
         ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
                 .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
-        ecrireHostiles(rendus, List.of("avance", "sans-retour", "curieux", "ecrit")::contains);
+        ecrireHostiles(List.of("avance", "sans-retour", "curieux", "ecrit")::contains);
         ecrireCorrige(rendus.resolve("liens"));
         Files.createSymbolicLink(rendus.resolve("liens/Secret.java"), Path.of("/etc/passwd"));
         Files.createSymbolicLink(rendus.resolve("liens/racine"), Path.of("/"));
@@ -178,7 +178,7 @@ class HostilesTest extends JuryEssai {
         assertTrue(resultats.get("avance").aRegarder.toString().contains("arrêté : a répondu"), "cela se voit à l'index");
         assertTrue(resultats.get("paquet").aRegarder.toString().contains(" : laissé de côté, "));
         String vu = resultats.get("curieux").verdicts.get(SOUSTRACTION).message;
-        assertTrue(vu.contains("vu{") && !vu.contains(dossier.getFileName().toString()), vu);
+        assertTrue(vu.contains("vu{") && !vu.contains(rendus.getFileName().toString()), vu);
         for (String nom : List.of("paquet", "fin", "tabulation", "liens", "ecrit")) {
             assertEquals(new TreeSet<>(), ratees(resultats.get(nom)), nom + " est par ailleurs achevé, et rien ne s'y écrit");
         }
@@ -190,9 +190,8 @@ class HostilesTest extends JuryEssai {
     @Test
     void sansConfinementNonPlus() throws IOException {
         assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         List<String> noms = List.of("mathematiques", "falsification", "faux-junit");
-        ecrireHostiles(rendus, noms::contains);
+        ecrireHostiles(noms::contains);
         Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
         for (String nom : noms) {
             rate(resultats, nom, "obtenu : (");
@@ -202,7 +201,6 @@ class HostilesTest extends JuryEssai {
     /** Écrites sur la sortie à la place de l'image, sous le numéro de sa demande : une liste sans texte, des listes l'une dans l'autre. */
     @Test
     void uneReponseForgeeNeCouteQueLImage() throws IOException {
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         for (String[] forge : new String[][] {{"sans-texte", "13", "s.writeBytes(\"l\\0\\0\\0\\3t\\0\\0\\0\\1Enn\");"},
             {"emboitees", "500000", "for (int k = 0; k < 100000; k++) s.writeBytes(\"l\\0\\0\\0\\1\");"}}) {
             Path sources = ecrireCorrige(rendus.resolve(forge[0]));
@@ -226,7 +224,6 @@ class HostilesTest extends JuryEssai {
 
     @Test
     void unRenduQuiDureTropEnToutEstRefuse() throws IOException {
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         ecrireCorrige(rendus.resolve("deux"));
         Confinement confinement = Confinement.essayer();
