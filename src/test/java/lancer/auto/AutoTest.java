@@ -110,17 +110,15 @@ class AutoTest {
         }
     }
 
-    /** Entre deux murs, la couleur vue est la somme d'une série géométrique, de limite 0,9. */
-    private static Scene entreDeuxMurs(double ks) {
-        double lueur = 0.9 * (1 - ks);
-        return new Scene(List.of(new Mur(10, ks, lueur), new Mur(-10, ks, lueur)), List.of());
-    }
-
-    /** Il manque à la série, après r reflets, 255 × 0,9 × ks^(r + 1) niveaux : le premier échelon qui convient est connu. */
+    /**
+     * La couleur vue est la somme d'une série géométrique, de limite 0,9. Après r reflets, il y manque 255 × 0,9 × ks^(r + 1) niveaux : le
+     * premier échelon qui convient est connu.
+     */
     @ParameterizedTest
     @CsvSource({"0.5, 140, 0", "0.5, 70, 1", "0.5, 60, 2", "0.5, 5, 5", "0.5, 4, 1000", "0.2, 12, 1", "0.8, 100, 5"})
     void entreDeuxMiroirsLesRefletsSontCeuxDeLaSerie(double ks, double erreur, int reflets) {
-        Auto auto = auto(entreDeuxMurs(ks), 16, 12, SANS, erreur);
+        double lueur = 0.9 * (1 - ks);
+        Auto auto = auto(new Scene(List.of(new Mur(10, ks, lueur), new Mur(-10, ks, lueur)), List.of()), 16, 12, SANS, erreur);
         assertEquals(reflets, auto.getChoisi().getProfondeur());
         dessiner(auto);
         // sous le seuil 1/1024, un reflet n'est plus suivi
