@@ -637,9 +637,14 @@ public final class Suite extends Etat.Changement {
         prendreLaPolice(ecran.police + points);
     }
 
+    /** La taille des textes la plus proche, de 10 à 32 points. */
+    public static int borner(int points) {
+        return Math.max(POLICE_MIN, Math.min(POLICE_MAX, points));
+    }
+
     /** Donne cette taille aux textes. */
     public void prendreLaPolice(int points) {
-        int taille = Math.max(POLICE_MIN, Math.min(POLICE_MAX, points));
+        int taille = borner(points);
         if (taille != ecran.police) {
             ecran = ecran.avecPolice(taille);
             ordres.add((moteur, vue) -> moteur.garderLaPolice(taille));

@@ -200,7 +200,7 @@ public final class Moteur implements Executant {
     /** La taille des textes de la fenêtre d'avant, ou celle-ci. */
     public static int getPolice(int ordinaire) {
         try {
-            return preferences().getInt(POLICE, ordinaire);
+            return Suite.borner(preferences().getInt(POLICE, ordinaire));
         } catch (SecurityException | IllegalStateException e) {
             return ordinaire;
         }
