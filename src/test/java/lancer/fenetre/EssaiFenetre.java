@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.AWTError;
+import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -13,6 +14,7 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -195,19 +197,23 @@ abstract class EssaiFenetre {
 
     /** Le composant visible de ce nom (ou de cette classe si {@code nom} est nul), dans n'importe quelle fenêtre ; ou {@code null}. */
     static <T extends Component> T chercher(String nom, Class<T> classe) throws Exception {
-        return surFilEvenements(() -> Arrays.stream(Window.getWindows()).filter(Component::isShowing).flatMap(w -> contenus(w).stream())
+        return surFilEvenements(() -> chercherIci(nom, classe));
+    }
+
+    private static <T extends Component> T chercherIci(String nom, Class<T> classe) {
+        return Arrays.stream(Window.getWindows()).flatMap(w -> contenus(w).stream())
                 .filter(c -> c.isShowing() && classe.isInstance(c) && (nom == null || nom.equals(c.getName()))).map(classe::cast)
-                .findFirst().orElse(null));
+                .findFirst().orElse(null);
     }
 
     /** Le composant de ce nom, quand il sera là. */
     static <T extends Component> T composant(String nom, Class<T> classe) throws Exception {
-        long limite = System.nanoTime() + patienceNs;
-        while (chercher(nom, classe) == null) {
-            assertTrue(System.nanoTime() < limite, "toujours pas de " + classe.getSimpleName() + " " + nom);
-            Thread.sleep(10);
-        }
-        return chercher(nom, classe);
+        List<T> trouves = new ArrayList<>();
+        attendre(classe.getSimpleName() + " " + nom, () -> {
+            trouves.add(chercherIci(nom, classe));
+            return trouves.get(trouves.size() - 1) != null;
+        });
+        return trouves.get(trouves.size() - 1);
     }
 
     /**
@@ -311,7 +317,23 @@ abstract class EssaiFenetre {
     /** De même, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
-        attendre(quoi + ", à l'écran", () -> Ecran.trouver(codes, L) != null);
+        attendre(quoi + ", à l'écran", () -> trouver(codes) != null);
+    }
+
+    /**
+     * L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. L'écran entier est fouillé : sans
+     * gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où est la sienne.
+     */
+    static Point trouver(int[] image) throws AWTException {
+        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        int[] vu = codes(new Robot().createScreenCapture(ecran));
+        // un pixel qui n'est pas de la couleur du coin écarte d'un coup tout fond de cette couleur
+        int temoin = IntStream.range(0, image.length).filter(k -> image[k] != image[0]).findFirst().orElse(0);
+        return IntStream.range(0, vu.length)
+                .filter(k -> k % ecran.width <= ecran.width - L && k / ecran.width <= ecran.height - image.length / L)
+                .filter(k -> vu[k + temoin / L * ecran.width + temoin % L] == image[temoin])
+                .filter(k -> IntStream.range(0, image.length).allMatch(i -> vu[k + i / L * ecran.width + i % L] == image[i]))
+                .mapToObj(k -> new Point(k % ecran.width, k / ecran.width)).findFirst().orElse(null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -349,16 +371,12 @@ abstract class EssaiFenetre {
         attendre(nom + " dit « " + debut + " »", () -> delier(texte.getText()).startsWith(debut));
     }
 
-    void attendreMessage(String debut) throws Exception {
+    static void attendreMessage(String debut) throws Exception {
         if (debut.isEmpty()) {
-            attendre("plus de message", () -> chercherIci("message") == null);
+            attendre("plus de message", () -> chercherIci("message", JTextArea.class) == null);
         } else {
             attendreTexte("message", debut);
         }
-    }
-
-    private Component chercherIci(String nom) {
-        return contenus(cadre).stream().filter(c -> nom.equals(c.getName()) && c.isVisible()).findFirst().orElse(null);
     }
 
     /** Les lignes qui se voient du récit, à demander sur le fil des événements. */

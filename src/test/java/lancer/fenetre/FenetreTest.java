@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -49,7 +50,7 @@ class FenetreTest extends EssaiFenetre {
         ouvrir(lent);
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
-        attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
+        attendre("le brouillon est à l'écran", () -> trouver(bas) != null);
         assertTrue(etat().enCours());
         assertNull(etat().getImageEntiere());
         main.lent = false;
@@ -75,6 +76,7 @@ class FenetreTest extends EssaiFenetre {
         ouvrir();
         cliquer(panneau, place(160, 110).x, place(160, 110).y);
         attendreTexte("verdict", "Au bit près, la couleur du pixel dessiné : #");
+        assertEquals("[Sphere 1] ligne 1", composant("section", JLabel.class).getText());
         JTextField rayon = composant("rayon", JTextField.class);
         faire(rayon::selectAll);
         frapper(rayon, KeyEvent.VK_1);
@@ -158,22 +160,11 @@ class FenetreTest extends EssaiFenetre {
     }
 
     @Test
-    void unePanneDuDessinSeLitDansLaFenetreQuiResteUtilisable() throws Exception {
-        MainLent panne = lente();
-        panne.avantDessin = () -> {
+    void unePanneSeLitPuisUnPixelQuiEchoueEstMagentaEtSaFauteSeRaconte() throws Exception {
+        MainLent fautif = lente();
+        fautif.avantDessin = () -> {
             throw new IllegalStateException("objet\nmal fait");
         };
-        ouvrir(panne);
-        attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
-        main.avantDessin = () -> { };
-        frapper(KeyEvent.VK_F5);
-        attendreMessage("");
-        attendreCodes("l'image est là", attendue());
-    }
-
-    @Test
-    void unPixelQuiEchoueEstMagentaLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
-        MainLent fautif = lente();
         fautif.apresLecture = lue -> lue.objets.add(new Plan(new lancer.Point(0, 0, 50), new Vecteur(0, 0, -1)) {
             @Override
             public Couleur getColor(Scene celle, Rayon incident, PointContact contact, int profondeur) {
@@ -184,6 +175,9 @@ class FenetreTest extends EssaiFenetre {
             }
         });
         ouvrir(fautif);
+        attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
+        main.avantDessin = () -> { };
+        frapper(KeyEvent.VK_F5);
         int[] codes = imageAchevee().codes;
         int premier = IntStream.range(0, codes.length).filter(k -> codes[k] == MAGENTA).findFirst().getAsInt();
         long fautifs = Arrays.stream(codes).filter(code -> code == MAGENTA).count();
@@ -198,6 +192,10 @@ class FenetreTest extends EssaiFenetre {
         JTree recit = composant("recit", JTree.class);
         attendre("la chaîne va jusqu'à la faute", () -> lu(recit).contains("\néchec : java.lang.IllegalStateException: boum ("));
         attendreTexte("verdict", "Ce pixel n'a pu être calculé.");
+        cliquer(recit, 40, 10);
+        attendre("un clic dans le récit laisse le clavier à l'image", panneau::isFocusOwner);
+        frapper(KeyEvent.VK_RIGHT);
+        attendre("les flèches y vont", () -> lu(recit).startsWith("pixel " + (premier % L + 1) + ", "));
     }
 
     /** Les pixels qui sont là restent, et le dessin suivant se fait. */

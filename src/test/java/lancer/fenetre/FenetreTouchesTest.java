@@ -73,6 +73,7 @@ class FenetreTouchesTest extends EssaiFenetre {
                     taper(tailles[k]);
                     attendre(clavier + ", " + tailles[k], () -> etat().ecran.police == voulue);
                 }
+                attendreReglage("et rien d'autre", Option.REFLETS, 5);
                 cliquer(panneau, place(160, 110).x, place(160, 110).y);
                 attendreTexte("verdict", "Au bit près");
                 JTree recit = composant("recit", JTree.class);

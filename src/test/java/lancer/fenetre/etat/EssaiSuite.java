@@ -5,13 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.awt.image.BufferedImage;
 import java.io.File;
+import java.lang.reflect.Proxy;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.Deque;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +19,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import lancer.Main;
 import lancer.commande.Etape;
@@ -55,7 +56,7 @@ public abstract class EssaiSuite {
     protected Etat etat;
     /** Les ordres donnés, en mots, dans leur ordre ; ceux à qui il reste à répondre, par numéro. */
     protected final List<String> journal = new ArrayList<>();
-    protected final TreeMap<Integer, Attendu> attendus = new TreeMap<>();
+    protected final TreeMap<Integer, Iterator<Suite.Evenement>> attendus = new TreeMap<>();
     /** Combien d'états ont suivi un autre, et le remplacent. */
     protected int publies;
     /** Ce qui est copié : un texte, ou une image ; et la scène lue change ainsi. */
@@ -212,45 +213,15 @@ public abstract class EssaiSuite {
         }
     };
 
-    private final Dialogue vue = new Dialogue() {
-
-        @Override
-        public void choisirUneScene(String presente) {
-            journal.add("choisir");
-        }
-
-        @Override
-        public void demanderDEcrire(String nom) {
-            journal.add("demander " + nom);
-        }
-
-        @Override
-        public void proposerEcrireSous(String pourquoi, String fichier) {
-            journal.add("proposer " + (pourquoi == null ? "" : "après " + pourquoi.replace(dossier + File.separator, "")));
-        }
-
-        @Override
-        public void demanderOuEnregistrer(ImageMemoire image, String scene) {
-            journal.add("ou enregistrer");
-        }
-
-        @Override
-        public void copier(String texte) {
-            journal.add("copier");
-            copie = texte;
-        }
-
-        @Override
-        public void copier(ImageMemoire image) {
-            journal.add("copier");
-            copie = image;
-        }
-
-        @Override
-        public void fermer() {
-            journal.add("fermer");
-        }
-    };
+    /** Ce que la fenêtre demande, ou copie, est noté par le nom de sa méthode, et le texte qu'elle reçoit. */
+    private final Dialogue vue = (Dialogue) Proxy.newProxyInstance(Dialogue.class.getClassLoader(), new Class<?>[] {Dialogue.class},
+            (celle, methode, valeurs) -> {
+                boolean copier = methode.getName().equals("copier");
+                boolean texte = !copier && valeurs != null && valeurs[0] instanceof String;
+                journal.add(methode.getName() + (texte ? " " + ((String) valeurs[0]).replace(dossier + File.separator, "") : ""));
+                copie = copier ? valeurs[0] : copie;
+                return null;
+            });
 
     @BeforeEach
     void ouvrir() {
@@ -347,30 +318,16 @@ public abstract class EssaiSuite {
         return etat;
     }
 
-    /** Un ordre qui attend : son travail, fait quand sa première réponse se demande, et les réponses qui restent à donner. */
-    protected static final class Attendu {
-
-        private final Callable<List<Suite.Evenement>> travail;
-        private Deque<Suite.Evenement> reponses;
-
-        private Attendu(Callable<List<Suite.Evenement>> travail) {
-            this.travail = travail;
-        }
-    }
-
+    /** Cet ordre attend ; son travail se fera quand sa première réponse se demandera. */
     private void attendre(String ordre, int numero, Callable<List<Suite.Evenement>> travail) {
         journal.add(ordre);
-        attendus.put(numero, new Attendu(travail));
+        attendus.put(numero, Stream.of(travail).flatMap(celui -> faire(celui).stream()).iterator());
     }
 
     /** L'ordre de ce numéro donne sa réponse suivante. */
     protected void repondre(int numero) {
-        Attendu attendu = attendus.get(numero);
-        if (attendu.reponses == null) {
-            attendu.reponses = new ArrayDeque<>(faire(attendu.travail));
-        }
-        Suite.Evenement reponse = attendu.reponses.remove();
-        if (attendu.reponses.isEmpty()) {
+        Suite.Evenement reponse = attendus.get(numero).next();
+        if (!attendus.get(numero).hasNext()) {
             attendus.remove(numero);
         }
         arrive(Suite.reponse(numero, reponse));

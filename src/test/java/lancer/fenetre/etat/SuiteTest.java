@@ -79,6 +79,7 @@ class SuiteTest extends EssaiSuite {
         "sans reflets, leur nombre ne se change pas | étape PHONG, +, achève | dessiner | réflexions=5; étape=phong",
         "un ordre remplacé répond pour rien | +, F5, l'ancien répond | dessiner, arreter, lire boule.ini | résumé=lecture 0 % — .*",
         "relire garde les réglages | -, achève, F5, achève | dessiner, lire boule.ini | réflexions=2; image=achevée",
+        "un réglage changé pendant la lecture reste | F5, suite, -, achève | lire boule.ini, dessiner | réflexions=2; image=achevée",
         "où en est la lecture se dit | F5, lit 42 | lire boule.ini | résumé=lecture 42 % — .*",
         "l'image d'avant reste, sans son coût | F5, suite, suite | lire boule.ini | image=achevée; résumé=brouillon 0 % — .*",
         "jusqu'au brouillon de la suivante | F5, suite, suite, suite | lire boule.ini | image=brouillon; résumé=dessin 100 % — .*",
@@ -87,6 +88,7 @@ class SuiteTest extends EssaiSuite {
         "F5 recommence | +, suite, suite, Échap, F5, achève | dessiner, arreter, lire boule.ini | image=achevée; réflexions=10",
         "un échec se lit | +, échoue | dessiner | fautes=échec du programme : java.lang.IllegalStateException: boum .*; image=achevée",
         "et se recommence | +, échoue, F5, achève | dessiner, lire boule.ini | fautes=; image=achevée",
+        "et ne se lit plus si un autre dessin se fait | +, échoue, -, -, achève | dessiner, dessiner | fautes=; image=achevée",
         "Échap arrête une lecture | ouvre autre.ini, Échap | surveiller autre.ini, lire autre.ini, arreter "
             + "| titre=lancer — autre.ini; image=achevée; ns=40; résumé=32 × 24.*",
         "F5 est à la scène demandée | ouvre autre.ini, Échap, F5, achève "
@@ -127,42 +129,49 @@ class SuiteTest extends EssaiSuite {
         "disparu, il se dit | tape rayon=2, achève, efface | dessiner | rayon=2; alerte=boule.ini n'est plus sur le disque ; .*",
         "Ctrl+E y écrit le changement seul, et le relit | tape rayon=2, achève, fichier ns=41, Ctrl+E, achève "
             + "| dessiner, ecrire, lire boule.ini | ns=41; fichier=rayon=2 ns=41; alerte=; titre=lancer — boule.ini",
+        "relu, il n'a rien à défaire | tape ns=3, achève, F5, achève, Ctrl+Z, achève | dessiner, lire boule.ini | ns=40",
         "Ctrl+Z qui ne laisse rien à écrire le fait lire | tape rayon=2, achève, fichier ns=41, Ctrl+Z, achève "
             + "| dessiner, lire boule.ini | ns=41; rayon=1",
         "sans changement, il se lit | fichier ns=41, achève | lire boule.ini | ns=41; image=achevée",
         // 1.6 : une question à la fois
         "deux fermetures pendant une écriture n'en font qu'une | tape ns=3, achève, Ctrl+E, Ctrl+Q, Ctrl+Q, achève "
             + "| dessiner, ecrire, fermer, terminer | fichier=ns=3",
-        "fermer sans écrire demande une fois | tape ns=3, achève, Ctrl+Q, Ctrl+Q, Ctrl+E, écrire sous | dessiner, demander boule.ini "
-            + "| ns=3",
-        "Rester reste | tape ns=3, achève, Ctrl+Q, répond Rester, Ctrl+Q | dessiner, demander boule.ini, demander boule.ini | ns=3",
+        "fermer sans écrire demande une fois | tape ns=3, achève, Ctrl+Q, Ctrl+Q, Ctrl+E, écrire sous "
+            + "| dessiner, demanderDEcrire boule.ini | ns=3",
+        "Rester reste | tape ns=3, achève, Ctrl+Q, répond Rester, Ctrl+Q "
+            + "| dessiner, demanderDEcrire boule.ini, demanderDEcrire boule.ini | ns=3",
         "Écrire ferme une fois écrit | tape ns=3, achève, Ctrl+Q, fichier rayon=2, répond Écrire, achève "
-            + "| dessiner, demander boule.ini, ecrire, fermer, terminer | fichier=rayon=2 ns=3",
-        "Oublier ferme aussitôt | tape ns=3, achève, Ctrl+Q, répond Oublier | dessiner, demander boule.ini, fermer, terminer | fichier=",
+            + "| dessiner, demanderDEcrire boule.ini, ecrire, fermer, terminer | fichier=rayon=2 ns=3",
+        "Oublier ferme aussitôt | tape ns=3, achève, Ctrl+Q, répond Oublier | dessiner, demanderDEcrire boule.ini, fermer, terminer "
+            + "| fichier=",
         "ouvrir demande aussi | tape ns=3, achève, ouvre autre.ini, répond Écrire, achève "
-            + "| dessiner, demander boule.ini, ecrire, surveiller autre.ini, lire autre.ini "
+            + "| dessiner, demanderDEcrire boule.ini, ecrire, surveiller autre.ini, lire autre.ini "
             + "| fichier=ns=3; titre=lancer — autre.ini; ns=7",
         "ce qui n'est pas écrit se dit dans le titre | tape ns=3, achève, ouvre faute.ini, répond Oublier, achève "
-            + "| dessiner, demander boule.ini, surveiller faute.ini, lire faute.ini | titre=lancer — faute.ini \\(boule.ini •\\); ns=3",
+            + "| dessiner, demanderDEcrire boule.ini, surveiller faute.ini, lire faute.ini "
+            + "| titre=lancer — faute.ini \\(boule.ini •\\); ns=3",
         "et s'écrit là | tape ns=3, achève, ouvre faute.ini, répond Oublier, achève, Ctrl+E, achève "
-            + "| dessiner, demander boule.ini, surveiller faute.ini, lire faute.ini, ecrire "
+            + "| dessiner, demanderDEcrire boule.ini, surveiller faute.ini, lire faute.ini, ecrire "
             + "| titre=lancer — faute.ini; fichier=ns=3; fautes=.*ns : .*",
-        "renoncer à l'écrire laisse place à l'autre, corrigée | tape ns=3, achève, ouvre faute.ini, répond Oublier, achève, "
-            + "corrige faute.ini, achève | dessiner, demander boule.ini, surveiller faute.ini, lire faute.ini, lire faute.ini "
+        "renoncer à l'écrire laisse place à l'autre, corrigée "
+            + "| tape ns=3, achève, ouvre faute.ini, répond Oublier, achève, corrige faute.ini, achève "
+            + "| dessiner, demanderDEcrire boule.ini, surveiller faute.ini, lire faute.ini, lire faute.ini "
             + "| titre=lancer — faute.ini; fichier=",
         "changée depuis, celle qui reste attend | ouvre faute.ini, achève, tape ns=3, achève, corrige faute.ini "
-            + "| surveiller faute.ini, lire faute.ini, dessiner | ns=3; alerte=faute.ini a changé sur le disque ; F5 le relit et oublie "
-            + "ce que vous avez changé dans boule.ini, Ctrl\\+E l'y écrit d'abord",
+            + "| surveiller faute.ini, lire faute.ini, dessiner "
+            + "| ns=3; alerte=faute.ini a changé sur le disque ; F5 le relit et oublie ce que vous avez changé dans boule.ini, "
+            + "Ctrl\\+E l'y écrit d'abord",
         "puis s'écrit d'abord | ouvre faute.ini, achève, tape ns=3, achève, corrige faute.ini, Ctrl+E, achève "
             + "| surveiller faute.ini, lire faute.ini, dessiner, ecrire, lire faute.ini | fichier=ns=3; titre=lancer — faute.ini; ns=40",
         "refusée, une écriture propose un autre fichier | tape rayon=2, achève, fichier ns=-1, Ctrl+E, achève "
-            + "| dessiner, ecrire, proposer après boule.ini, ligne 6, [Sphere 1], ns : hors limites : « -1 » ; "
+            + "| dessiner, ecrire, proposerEcrireSous boule.ini, ligne 6, [Sphere 1], ns : hors limites : « -1 » ; "
             + "attendu : un nombre de 0 à 1e9 | titre=lancer — boule.ini •; fichier=ns=-1; passe=true",
         "qui s'ouvre | tape rayon=2, achève, efface, Ctrl+E, achève, répond sous.ini, achève "
-            + "| dessiner, ecrire, proposer après boule.ini : lecture impossible (fichier introuvable) ; attendu : un fichier de scène, "
-            + "ecrire sous sous.ini, surveiller sous.ini, lire sous.ini | titre=lancer — sous.ini; rayon=2",
+            + "| dessiner, ecrire, proposerEcrireSous boule.ini : lecture impossible (fichier introuvable) ; "
+            + "attendu : un fichier de scène, ecrire sous sous.ini, surveiller sous.ini, lire sous.ini | titre=lancer — sous.ini; rayon=2",
         // 1.5 : l'image d'avant, tant que sa touche est tenue
         "Espace montre l'image d'avant | -, achève, Espace | dessiner | visible=avant; résumé=avant : .* 5 réflexions",
+        "celle d'avant une lecture aussi | fichier ns=41, achève, Espace | lire boule.ini | visible=avant; résumé=avant : .*",
         "lâcher Espace la cache | -, achève, Espace, lâche Espace | dessiner | visible=présente; résumé=32 × 24.* 2 réflexions",
         "F2 aussi | -, achève, Espace, F2 | dessiner | visible=présente",
         "F3 aussi | -, achève, Espace, F3 | dessiner, mesurer | visible=présente",
@@ -228,12 +237,11 @@ class SuiteTest extends EssaiSuite {
         "un réglage attend la fin du dessin | F3, achève, - | mesurer, dessiner | mesures=Les mesures reprendront après ce dessin.",
         "et ne se mesure pas de nouveau | F3, achève, -, achève | mesurer, dessiner | ns=40",
         "une autre scène se mesure | F3, achève, fichier ns=41, achève | mesurer, lire boule.ini, mesurer | ns=41",
-        "Échap arrête la mesure | F3, suite, Échap | mesurer, arreter "
-            + "| mesures=arrêtée : 1 réglage mesuré ; F3 reprend; onglet=VITESSE",
+        "Échap arrête la mesure | F3, suite, Échap | mesurer, arreter | mesures=arrêtée : 1 réglage mesuré ; F3 reprend; onglet=VITESSE",
         "F3 la reprend | F3, suite, Échap, F3 | mesurer, arreter, mesurer | mesures=mesure en cours : 1 dessin sur .*",
         "un autre onglet l'arrête | F3, suite, F2 | mesurer, arreter | onglet=REGLAGES",
         // ce qui s'enregistre et se copie
-        "une image achevée s'enregistre | Ctrl+S | ou enregistrer | avis=",
+        "une image achevée s'enregistre | Ctrl+S | demanderOuEnregistrer | avis=",
         "une image inachevée, non | -, suite, suite, Ctrl+S | dessiner | avis=L'image se dessine encore : elle n'est pas enregistrée.",
         "une image arrêtée non plus | -, suite, suite, Échap, Ctrl+C | dessiner, arreter "
             + "| avis=Pas d'image achevée ; F5 pour la dessiner.",

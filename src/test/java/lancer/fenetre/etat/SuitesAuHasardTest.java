@@ -55,7 +55,7 @@ class SuitesAuHasardTest extends EssaiSuite {
     }
 
     private void repondreALaQuestion(int tirage) {
-        boolean sous = journal.stream().reduce((a, b) -> b.matches("(demander|proposer) .*") ? b : a).get().startsWith("proposer");
+        boolean sous = journal.stream().reduce((a, b) -> b.matches("(demanderDE|proposer).*") ? b : a).get().startsWith("proposer");
         if (sous) {
             arrive(tirage < 15 ? Suite::rester : suite -> suite.ecrireSous(dossier.resolve("sous.ini").toString()));
         } else if (tirage < 10) {
