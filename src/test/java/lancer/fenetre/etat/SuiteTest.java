@@ -47,6 +47,7 @@ class SuiteTest extends EssaiSuite {
         lectures.put("visible", () -> etat.montre.tenue ? "avant" : "présente");
         lectures.put("taille", () -> etat.montre.dessin.image.largeur + "x" + etat.montre.dessin.image.hauteur);
         lectures.put("fois", () -> etat.ecran.loupe.getReduction(etat.getVisible().image));
+        lectures.put("coin", () -> etat.ecran.loupe.getCoin(etat.getVisible().image).toString());
         lectures.put("pixel", () -> etat.ecran.pixel.x + " " + etat.ecran.pixel.y);
         lectures.put("onglet", () -> etat.ecran.onglet);
         lectures.put("section", () -> etat.getSectionChoisie());
@@ -79,7 +80,8 @@ class SuiteTest extends EssaiSuite {
         "sans reflets, leur nombre ne se change pas | étape PHONG, +, achève | dessiner | réflexions=5; étape=phong",
         "un ordre remplacé répond pour rien | +, F5, l'ancien répond | dessiner, arreter, lire boule.ini | résumé=lecture 0 % — .*",
         "relire garde les réglages | -, achève, F5, achève | dessiner, lire boule.ini | réflexions=2; image=achevée",
-        "un réglage changé pendant la lecture reste | F5, suite, -, achève | lire boule.ini, dessiner | réflexions=2; image=achevée",
+        "un réglage changé pendant la lecture reste | F5, suite, -, achève | lire boule.ini, arreter, dessiner "
+            + "| réflexions=2; image=achevée",
         "où en est la lecture se dit | F5, lit 42 | lire boule.ini | résumé=lecture 42 % — .*",
         "l'image d'avant reste, sans son coût | F5, suite, suite | lire boule.ini | image=achevée; résumé=brouillon 0 % — .*",
         "jusqu'au brouillon de la suivante | F5, suite, suite, suite | lire boule.ini | image=brouillon; résumé=dessin 100 % — .*",
@@ -212,6 +214,7 @@ class SuiteTest extends EssaiSuite {
         "réduite, elle le dit | place 16 24 | | fois=0.5; résumé=32 × 24 pixels montrés à 50 %, .*",
         "à la loupe aussi | Ctrl+Haut, Ctrl+Haut | | fois=4.0; résumé=32 × 24 pixels à la loupe × 4, .*",
         "seize fois au plus | Ctrl+Haut, Ctrl+Haut, Ctrl+Haut, Ctrl+Haut, Ctrl+Haut | | fois=16.0",
+        "Ctrl+Haut grossit autour du pixel expliqué | clic 3 3, Ctrl+Haut | expliquer 3 3 | fois=2.0; coin=.*-4.*-4.*",
         "une image réduite passe d'abord à sa taille | place 16 24, Ctrl+Haut | | fois=1.0",
         "et y revient | place 16 24, Ctrl+Haut, Ctrl+Haut, Ctrl+Bas, Ctrl+Bas | | fois=0.5",
         "une vue a ses nombres | vue normales, achève | dessiner | nombres=N = .*",
@@ -245,7 +248,8 @@ class SuiteTest extends EssaiSuite {
         "une image inachevée, non | -, suite, suite, Ctrl+S | dessiner | avis=L'image se dessine encore : elle n'est pas enregistrée.",
         "une image arrêtée non plus | -, suite, suite, Échap, Ctrl+C | dessiner, arreter "
             + "| avis=Pas d'image achevée ; F5 pour la dessiner.",
-        "un échec d'enregistrement reste | ne s'enregistre pas, fichier ns=41, achève | lire boule.ini | avis=disque plein; ns=41",
+        "un échec d'enregistrement reste | ne s'enregistre pas, fichier ns=41, achève | lire boule.ini "
+            + "| avis=disque plein; passe=false; ns=41",
         "l'image copiée se dit | Ctrl+C | copier | avis=image copiée, 32 × 24 pixels",
         "les réglages copiés donnent l'image | +, achève, Ctrl+Maj+C | dessiner, copier "
             + "| avis=réglages copiés : la commande; copie=; java .* --taille 32x24 --reflets 10 .*boule.ini\\s"})
