@@ -144,4 +144,11 @@ class DessinTest {
         assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");
     }
+
+    @Test
+    void lesTaillesExtremesNOntQueDesNombresFinis() {
+        for (int[] taille : new int[][] {{1, 1}, {1, 500}, {500, 1}, {33, 65}}) {
+            assertTrue(image(new Scene(Ressources.chemin("reference/p1-quatre.ini")), taille[0], taille[1], 5, 2).estFinie());
+        }
+    }
 }

@@ -4,11 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.DoubleFunction;
 import lancer.Camera;
 import lancer.Scene;
@@ -26,6 +30,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** La variante par la ligne de commande, seule ou avec les deux autres. */
 class AntialiasTest extends EssaiVariante {
@@ -89,6 +94,21 @@ class AntialiasTest extends EssaiVariante {
     }
 
     /** Le texte entier, à quatre décimales : les échantillons, la brume, la bissectrice. */
+    @ParameterizedTest
+    @ValueSource(strings = {"coins", "partage"})
+    void lImageEtLesComptesNeDependentPasDuNombreDeFils(String methode) throws IOException {
+        String scene = scene(ini("p1-quatre.ini"), "[Antialias]", "methode=" + methode).toString();
+        Set<String> obtenus = new HashSet<>();
+        for (String fils : List.of("1", "2", "3", "7", "64")) {
+            Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), "--taille", "120x90", "--statistiques",
+                    "--fils", fils, scene);
+            assertEquals("", essai.erreur);
+            obtenus.add(Arrays.hashCode(Files.readAllBytes(dossier.resolve("image.pfm")))
+                    + essai.sortie.substring(0, essai.sortie.indexOf("lecture.ms")));
+        }
+        assertEquals(1, obtenus.size(), obtenus.toString());
+    }
+
     @Test
     void leTexteEstCeluiQueLOnARelu() throws IOException {
         SceneLue lue = LecteurScene.lire(scene(ini("recit.ini"), "[Antialias]", "n=2", "[Blinn]", "[Brume]").toString(), part -> { });
