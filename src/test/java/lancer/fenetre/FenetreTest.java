@@ -239,6 +239,7 @@ class FenetreTest extends EssaiFenetre {
         frapper(KeyEvent.VK_F3);
         attendre("tout est mesuré", () -> !etat().mesures.essais.isEmpty()
                 && etat().direLesMesures().matches("(Les flèches|La machine est occupée).*"));
+        assertTrue(etat().mesures.essais.containsKey(etat().demande.reglages), "le réglage de l'image aussi");
         frapper(KeyEvent.VK_RIGHT);
         JTextArea dit = composant("vitesse.etat", JTextArea.class);
         attendre("une flèche désigne un point", () -> delier(dit.getText()).contains(" réflexion"));

@@ -76,7 +76,8 @@ class VueImageTest extends EssaiVue {
         cadre.ouvrir();
         assertTrue(GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds().contains(cadre.getBounds()), "il y tient");
         placer(panneau.getWidth(), panneau.getHeight());
-        peint(panneau);
+        int gris = panneau.getBackground().getRGB();
+        assertTrue(Arrays.stream(EssaiFenetre.codes(peint(panneau))).anyMatch(code -> code != gris), "elle se voit");
         frapper(panneau, "ENTER");
         executer();
         assertTrue(recit().startsWith("pixel "), recit());
@@ -139,6 +140,8 @@ class VueImageTest extends EssaiVue {
             faire("Échap");
             faire("F2");
         }
+        // le second clic d'un double clic
+        panneau.dispatchEvent(new MouseEvent(panneau, MouseEvent.MOUSE_RELEASED, 0, BOUTON, ou.x, ou.y, 2, false, MouseEvent.BUTTON1));
         assertEquals("[expliquer 80 55, arreter, expliquer 91 60, arreter]", journal.toString());
         placer(L + 20, H);
         souris(panneau, MouseEvent.MOUSE_PRESSED, BOUTON, 2, 50);
