@@ -130,7 +130,7 @@ public final class FaussesCouleurs {
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
                 + "orange : 3 et 4, blanc : l'arrondi suffit");
-        image.teintes = Arrays.asList(new Teinte("rien ne change", new Couleur(0.7)),
+        image.teintes = Arrays.asList(new Teinte("" + (DERNIER - PREMIER + 1), new Couleur(0.7)),
                 new Teinte("8 à 10", teinteDeMarge(8)),
                 new Teinte("5 à 7", teinteDeMarge(5)), new Teinte("3 et 4", teinteDeMarge(3)),
                 new Teinte("0 à 2", teinteDeMarge(0)));
