@@ -73,6 +73,9 @@ class FenetreDialoguesTest extends EssaiFenetre {
         Files.write(png, new byte[] {42});
         enregistrerSous(png);
         repondre("Annuler");
+        // le disque écrit dans l'ordre : après cette image, l'autre le serait
+        enregistrerSous(dossier.resolve("vue"));
+        attendreMessage("enregistrée : vue.png");
         assertArrayEquals(new byte[] {42}, Files.readAllBytes(png));
         enregistrerSous(png);
         repondre("Remplacer");
