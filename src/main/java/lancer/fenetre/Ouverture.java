@@ -14,6 +14,7 @@ import lancer.commande.Reglages;
 import lancer.contrat.Cause;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
+import lancer.fenetre.etat.Suite;
 import lancer.fenetre.moteur.Moteur;
 import lancer.fenetre.vue.Apparence;
 import lancer.scene.LecteurSections;
@@ -42,7 +43,7 @@ public final class Ouverture {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
-        FutureTask<Integer> apparence = new FutureTask<>(() -> Apparence.preparer(Moteur::getPolice));
+        FutureTask<Integer> apparence = new FutureTask<>(Apparence::preparer);
         if (manque == null) {
             // pendant que la scène se lit ici
             EventQueue.invokeLater(apparence);
@@ -54,9 +55,14 @@ public final class Ouverture {
             throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         Fenetre[] ouverte = new Fenetre[1];
+        int gardee = Moteur.getPolice();
         try {
-            int police = apparence.get();
+            int ordinaire = apparence.get();
+            int police = gardee == 0 ? ordinaire : Suite.borner(gardee);
             EventQueue.invokeAndWait(() -> {
+                if (police != ordinaire) {
+                    Apparence.donnerAuxTextes(police);
+                }
                 ouverte[0] = new Fenetre(programme, options, demande, LecteurSections.nomsDesVariantes(), police, fin);
                 ouverte[0].montrer();
             });

@@ -38,7 +38,7 @@ public abstract class EssaiVue extends EssaiSuite {
     protected static final int H = 120;
 
     /** La taille ordinaire des textes, que rien de ce que garde l'utilisateur ne change. */
-    private static final int POLICE = GraphicsEnvironment.isHeadless() ? 0 : Apparence.preparer(taille -> taille);
+    private static final int POLICE = GraphicsEnvironment.isHeadless() ? 0 : Apparence.preparer();
 
     protected Cadre cadre;
     protected JComponent panneau;

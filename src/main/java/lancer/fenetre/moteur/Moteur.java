@@ -197,12 +197,12 @@ public final class Moteur implements Executant {
         });
     }
 
-    /** La taille des textes de la fenêtre d'avant, ou celle-ci. */
-    public static int getPolice(int ordinaire) {
+    /** La taille des textes de la fenêtre d'avant, ou 0. */
+    public static int getPolice() {
         try {
-            return Suite.borner(preferences().getInt(POLICE, ordinaire));
+            return preferences().getInt(POLICE, 0);
         } catch (SecurityException | IllegalStateException e) {
-            return ordinaire;
+            return 0;
         }
     }
 

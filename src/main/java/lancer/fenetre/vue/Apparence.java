@@ -4,7 +4,6 @@ import java.awt.Font;
 import java.awt.Toolkit;
 import java.util.ArrayList;
 import java.util.Locale;
-import java.util.function.IntUnaryOperator;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.plaf.FontUIResource;
@@ -22,11 +21,10 @@ public final class Apparence {
     /**
      * À appeler avant de créer le premier composant.
      *
-     * @param police rend la taille des textes qui est voulue, d'après l'ordinaire
-     * @return cette taille, en points
+     * @return la taille ordinaire des textes, en points
      * @throws Error sans polices, ou sans fontconfig
      */
-    public static int preparer(IntUnaryOperator police) {
+    public static int preparer() {
         new Font(Font.DIALOG, Font.PLAIN, 1).canDisplay('a');
         // sinon, FlatLaf chercherait une bibliothèque du système, absente de l'archive
         System.setProperty("flatlaf.useNativeLibrary", "false");
@@ -43,11 +41,7 @@ public final class Apparence {
             // l'apparence de Java est déjà en place
         }
         ordinaire = UIManager.getFont("Label.font").getSize();
-        int voulue = police.applyAsInt(ordinaire);
-        if (voulue != ordinaire) {
-            donnerAuxTextes(voulue);
-        }
-        return voulue;
+        return ordinaire;
     }
 
     static int getOrdinaire() {
@@ -55,7 +49,7 @@ public final class Apparence {
     }
 
     /** Donne cette taille, en points, aux textes de tous les composants à venir. */
-    static void donnerAuxTextes(int taille) {
+    public static void donnerAuxTextes(int taille) {
         FontUIResource police = new FontUIResource(UIManager.getFont("Label.font").deriveFont((float) taille));
         new ArrayList<>(UIManager.getLookAndFeelDefaults().keySet()).stream()
                 .filter(cle -> cle.toString().endsWith("ont") && UIManager.getFont(cle) != null)

@@ -23,7 +23,7 @@ final class BarreEtat extends JPanel implements Vue {
     private static final int MARGE = 6;
     private static final int FILET = 3;
     private static final int POUR_MILLE = 1000;
-    private static final int LIGNES_MAX = 3;
+    private static final int LIGNES_MAX = 4;
     /** Le plus long texte d'un pixel, qui fixe la largeur de la barre. */
     private static final String PIXEL = "pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000";
     /** Un long résumé, à ses réglages près. */
@@ -60,7 +60,7 @@ final class BarreEtat extends JPanel implements Vue {
         haut.add(legende, BorderLayout.CENTER);
         haut.add(pastille, BorderLayout.LINE_END);
         add(haut, BorderLayout.PAGE_START);
-        add(resume.enPlace(1), BorderLayout.CENTER);
+        add(resume, BorderLayout.CENTER);
     }
 
     private int largeur(String texte) {
@@ -73,8 +73,9 @@ final class BarreEtat extends JPanel implements Vue {
         int longueur = largeur(RESUME + (premier.aUneScene() ? premier.demande.reglages : ""));
         int large = Math.min(Math.max(largeur(PIXEL), premier.ecran.loupe.largeur), Dialogues.ecran().width);
         resume.setRows(Math.min(LIGNES_MAX, 1 + longueur / (large - 2 * MARGE)));
+        int ligne = getFontMetrics(resume.getFont()).getHeight();
         return new Dimension(largeur(PIXEL) + pastille.getPreferredSize().width + 3 * MARGE,
-                super.getPreferredSize().height);
+                super.getPreferredSize().height - resume.getPreferredSize().height + resume.getRows() * ligne);
     }
 
     /** Dit où en est le travail ou, s'il est achevé, ce qu'est l'image ; et ce qui est sous la souris. */
