@@ -142,6 +142,7 @@ class BancTest extends ClasseEssai {
         for (Essai essai : essais) {
             verifications.add(DynamicTest.dynamicTest(essai.nom, () -> {
                 Map<String, String> ligne = classe.get(essai.nom);
+                assertFalse(ligne.get("note").isEmpty(), essai.nom + ", sans note : " + ligne);
                 double note = Double.parseDouble(ligne.get("note"));
                 assertTrue(essai.note[0] <= note && note <= essai.note[1], essai.nom + " : " + ligne);
                 String[] rangees = index.split("/" + essai.nom + "\\.html");

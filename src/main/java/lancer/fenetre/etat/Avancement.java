@@ -13,7 +13,7 @@ public final class Avancement {
     /** Ce qui se fait : lecture, préparation, brouillon, puis dessin. */
     private volatile String etape;
     private volatile long debutDeLEtape;
-    /** De 0 à 1. */
+    /** La part lue du fichier, de 0 à 1 ; 0 ensuite. */
     private volatile double partLue;
     /** 0 avant la fin. */
     private volatile long fin;
@@ -28,6 +28,7 @@ public final class Avancement {
 
     public void passer(String suivante) {
         debutDeLEtape = System.nanoTime();
+        partLue = 0;
         etape = suivante;
     }
 
@@ -37,10 +38,7 @@ public final class Avancement {
 
     /** La part faite de la lecture, ou de l'image, de 0 à 1. @param dessin {@code null} avant son brouillon */
     double getPart(Dessin dessin) {
-        if (dessin != null) {
-            return dessin.lancer.getAtelier().getAvancement();
-        }
-        return etape.equals("lecture") ? partLue : 0;
+        return dessin == null ? partLue : dessin.lancer.getAtelier().getAvancement();
     }
 
     String direEtape(Dessin dessin) {
